@@ -1,0 +1,12 @@
+# How every target of burin is compiled. Nothing here reaches a consumer.
+add_library(burin_options INTERFACE)
+target_compile_features(burin_options INTERFACE cxx_std_20)
+# No contraction: the same bits whatever the machine and the optimisation level.
+target_compile_options(burin_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+if(BURIN_WERROR)
+  target_compile_options(burin_options INTERFACE -Werror)
+endif()
+if(BURIN_SANITIZE)
+  target_compile_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(burin_options INTERFACE -fsanitize=${BURIN_SANITIZE})
+endif()

@@ -1,0 +1,1 @@
+#include <burin/base/math.hpp>

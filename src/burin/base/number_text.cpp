@@ -1,0 +1,40 @@
+#include <array>
+#include <burin/base/check.hpp>
+#include <burin/base/number_text.hpp>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace burin {
+
+std::string shortest_text(double value) {
+  BURIN_EXPECT(std::isfinite(value));
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0.0 ? 0.0 : value);
+  BURIN_EXPECT(error == std::errc{});
+  return {buffer.data(), end};
+}
+
+std::string fixed_text(double value, int decimals) {
+  BURIN_EXPECT(std::isfinite(value));
+  std::array<char, 400> buffer{};
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+  BURIN_EXPECT(error == std::errc{});
+  std::string text(buffer.data(), end);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace burin

@@ -1,0 +1,1 @@
+#include <burin/base/sha256.hpp>

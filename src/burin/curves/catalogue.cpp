@@ -1,0 +1,1 @@
+#include <burin/curves/family.hpp>

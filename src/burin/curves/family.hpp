@@ -1,0 +1,79 @@
+#pragma once
+
+#include <any>
+#include <burin/params/fields.hpp>
+#include <burin/path/draw_context.hpp>
+#include <burin/path/path_sink.hpp>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace burin::curves {
+
+/// A 2D generator: a row of the catalogue. Parameters travel type-erased; a family's functions get back exactly what
+/// its `read` made. All functions are pure: the same (parameters, seed) give the same points.
+struct Family {
+  std::string_view name;
+  std::string_view summary;
+  std::string_view source;  ///< paper and equation
+  std::vector<params::FieldInfo> (*fields)();
+
+  /// Reads the keys of a curve's table but for those in `also_known`; nothing after reporting problems.
+  std::optional<std::any> (*read)(const params::Table& table, params::ReadContext& context,
+                                  const std::vector<std::string_view>& also_known);
+
+  /// The box of frame(curve), exact to rounding. Empty when nothing is drawn.
+  Box2 (*bounds)(const std::any& parameters, const DrawContext& context, const Affine2& frame);
+
+  /// What draw will emit under this context. Gives up counting above `enough` points and then reports a bound above it.
+  Forecast (*forecast)(const std::any& parameters, const DrawContext& context, double enough);
+
+  /// Emits the curve in model units, y up, with layer 0.
+  Flow (*draw)(const std::any& parameters, const DrawContext& context, PathSink& sink);
+
+  /// Whether another seed gives another curve.
+  bool (*uses_seed)(const std::any& parameters);
+
+  /// The parameter to lower when a curve has too many points, for messages: "levels".
+  std::string_view cost_knob;
+};
+
+/// All families, in the order they are listed.
+std::span<const Family> catalogue();
+
+/// The family of this name, or null.
+const Family* find_family(std::string_view name);
+
+/// A row for the catalogue from a struct F that holds a family's functions: `using Params`, and static check
+/// (cross-field rules; false after reporting), bounds, forecast, draw and uses_seed, all for Params instead of
+/// std::any.
+template <class F>
+Family make_family(std::string_view name, std::string_view summary, std::string_view source,
+                   std::string_view cost_knob) {
+  using P = typename F::Params;
+  static_assert(params::ParamStruct<P>, "every member of the parameters needs a row in fields()");
+  return {
+      .name = name,
+      .summary = summary,
+      .source = source,
+      .fields = &params::field_infos<P>,
+      .read = [](const params::Table& table, params::ReadContext& context,
+                 const std::vector<std::string_view>& also_known) -> std::optional<std::any> {
+        P read{};
+        if (!params::read_fields(table, read, "curve", context, also_known)) return std::nullopt;
+        if (!F::check(read, table, context)) return std::nullopt;
+        return std::any(std::move(read));
+      },
+      .bounds = [](const std::any& p, const DrawContext& context,
+                   const Affine2& frame) { return F::bounds(*std::any_cast<P>(&p), context, frame); },
+      .forecast = [](const std::any& p, const DrawContext& context,
+                     double enough) { return F::forecast(*std::any_cast<P>(&p), context, enough); },
+      .draw = [](const std::any& p, const DrawContext& context,
+                 PathSink& sink) { return F::draw(*std::any_cast<P>(&p), context, sink); },
+      .uses_seed = [](const std::any& p) { return F::uses_seed(*std::any_cast<P>(&p)); },
+      .cost_knob = cost_knob,
+  };
+}
+
+}  // namespace burin::curves

@@ -1,0 +1,1 @@
+#include <burin/data/csv.hpp>

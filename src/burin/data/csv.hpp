@@ -1,0 +1,16 @@
+#pragma once
+
+#include <burin/base/result.hpp>
+#include <burin/geom/vec2.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin::data {
+
+/// Points from comma (or semicolon, tab, blank) separated text: one point a line, first two columns x and y, or the
+/// columns called x and y when there is a header; lines starting with # and empty lines are passed over. Problems carry
+/// `file` and the line. At most 10^7 points.
+Result<std::vector<Vec2>> read_csv_points(std::string_view text, const std::string& file);
+
+}  // namespace burin::data

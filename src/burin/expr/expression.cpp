@@ -1,0 +1,1 @@
+#include <burin/expr/expression.hpp>

@@ -1,0 +1,1 @@
+#include <burin/output/back_ends.hpp>

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <burin/path/back_end.hpp>
+#include <span>
+
+namespace burin::output {
+
+/// The back ends of the core, in the order of preference: native svg, csv, dump.
+std::span<const BackEnd> back_ends();
+
+}  // namespace burin::output

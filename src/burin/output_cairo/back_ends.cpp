@@ -1,0 +1,1 @@
+#include <burin/output_cairo/back_ends.hpp>

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <burin/path/back_end.hpp>
+#include <span>
+
+namespace burin::output_cairo {
+
+/// Cairo's back ends: pdf, png and svg.
+std::span<const BackEnd> back_ends();
+
+}  // namespace burin::output_cairo

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <burin/base/bytes.hpp>
+#include <burin/base/problem.hpp>
+#include <burin/base/result.hpp>
+#include <burin/params/value.hpp>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin::params {
+
+/// A data file that a preset read, so that a drawing can say what it was made from.
+struct DataDigest {
+  std::string name;
+  std::string sha256;
+};
+
+/// What readers of values need besides the value. The preset room fills it in; readers report into `problems` and go
+/// on, so that all problems are shown together.
+struct ReadContext {
+  Problems& problems;
+
+  /// The value of a constant expression such as "sqrt(3)/6".
+  std::function<Result<double>(std::string_view text, const Where& where)> evaluate;
+
+  /// The value written under this name in [define], or null.
+  std::function<const Value*(std::string_view name)> defined;
+
+  /// Reads a data file named in the preset and notes its digest.
+  ReadFile read_file;
+
+  void report(const Where& where, std::string message) { problems.push_back({where, std::move(message)}); }
+};
+
+}  // namespace burin::params

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <burin/base/bytes.hpp>
+#include <burin/base/result.hpp>
+#include <burin/path/path_sink.hpp>
+#include <burin/path/sheet.hpp>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// The space a back end wants its points in.
+enum class Space : std::uint8_t {
+  page,   ///< millimetres from the page's top left corner, y down
+  model,  ///< the generator's own units, y up
+};
+
+/// Choices that reach a back end. Each back end documents which it looks at; the tool refuses the others.
+struct OutputOptions {
+  int decimals = 3;                   ///< places after the point of an SVG coordinate in mm, 0..6
+  double dots_per_mm = 300.0 / 25.4;  ///< PNG resolution
+  bool paper = false;                 ///< SVG and PDF: draw the paper's colour too
+};
+
+/// A path sink that ends in a ByteSink.
+class OutputSink : public PathSink {
+ public:
+  /// Writes what is still pending and reports write errors, which are kept until here. Call once, after the last path;
+  /// not after a Flow::stop that did not come from this sink: the output is then incomplete.
+  virtual Result<Done> finish() = 0;
+
+  /// Points that were left out since they round onto their predecessor.
+  virtual std::uint64_t skipped_points() const { return 0; }
+};
+
+/// A row of a table of back ends: a format that burin can write.
+struct BackEnd {
+  std::string_view name;    ///< "native" or "cairo"
+  std::string_view format;  ///< "svg", "pdf", "png", "csv", "dump": also the file suffix
+  std::string_view summary;
+  Space space;
+  bool binary;  ///< refused on a terminal
+  /// Half the smallest step of a coordinate that this format can show, in mm; 0: everything shows.
+  double (*tolerance_mm)(const OutputOptions& options);
+  /// What is wrong with this page in this format (too many pixels, for example).
+  Result<Done> (*accepts)(const Sheet& sheet, const OutputOptions& options);
+  /// `bytes` and `sheet` must outlive the sink.
+  std::unique_ptr<OutputSink> (*open)(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options);
+};
+
+}  // namespace burin

@@ -1,0 +1,1 @@
+#include <burin/path/colour.hpp>

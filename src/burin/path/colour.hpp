@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// An opaque sRGB colour.
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// "#rgb", "#rrggbb", a CSS colour name or one of burin's papers ("oat", "ivory" ...); nothing for other words.
+std::optional<Colour> parse_colour(std::string_view text);
+
+/// Every colour name, in alphabetical order.
+std::vector<std::string_view> colour_names();
+
+/// "#rrggbb".
+std::string colour_text(Colour colour);
+
+}  // namespace burin

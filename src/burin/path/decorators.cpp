@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+#include <burin/base/check.hpp>
+#include <burin/path/decorators.hpp>
+
+namespace burin {
+
+Flow Mapped::points(std::span<const Vec2> points) {
+  std::array<Vec2, 1024> mapped;
+  while (!points.empty()) {
+    const std::size_t count = std::min(points.size(), mapped.size());
+    for (std::size_t i = 0; i < count; ++i) mapped[i] = map_(points[i]);
+    if (next().points(std::span(mapped).first(count)) == Flow::stop) return Flow::stop;
+    points = points.subspan(count);
+  }
+  return Flow::go;
+}
+
+Flow Relabelled::begin(const PathHead& head) {
+  PathHead relabelled = head_;
+  relabelled.closed = head.closed;
+  relabelled.paint = head.paint;
+  return next().begin(relabelled);
+}
+
+Flow Counted::begin(const PathHead& head) {
+  ++paths_;
+  return next().begin(head);
+}
+
+Flow Counted::points(std::span<const Vec2> points) {
+  points_ += points.size();
+  return next().points(points);
+}
+
+Flow Stoppable::begin(const PathHead& head) {
+  return stop_.stop_requested() ? Flow::stop : next().begin(head);
+}
+
+Flow Stoppable::points(std::span<const Vec2> points) {
+  return stop_.stop_requested() ? Flow::stop : next().points(points);
+}
+
+Checked::~Checked() {
+  BURIN_EXPECT(stopped_ || !in_path_);
+}
+
+Flow Checked::noted(Flow flow) {
+  if (flow == Flow::stop) stopped_ = true;
+  return flow;
+}
+
+Flow Checked::begin(const PathHead& head) {
+  BURIN_EXPECT(!stopped_ && !in_path_);
+  BURIN_EXPECT(head.layer >= last_layer_);
+  last_layer_ = head.layer;
+  in_path_ = true;
+  contour_points_ = 0;
+  return noted(next().begin(head));
+}
+
+Flow Checked::points(std::span<const Vec2> points) {
+  BURIN_EXPECT(!stopped_ && in_path_ && !points.empty());
+  for (const Vec2 p : points) BURIN_EXPECT(is_finite(p));
+  contour_points_ += points.size();
+  return noted(next().points(points));
+}
+
+Flow Checked::contour() {
+  BURIN_EXPECT(!stopped_ && in_path_ && contour_points_ > 0);
+  contour_points_ = 0;
+  return noted(next().contour());
+}
+
+Flow Checked::end() {
+  BURIN_EXPECT(!stopped_ && in_path_ && contour_points_ > 0);
+  in_path_ = false;
+  return noted(next().end());
+}
+
+Flow Checked::place(const PathHead& head, const Figure& figure, const Affine2& at) {
+  BURIN_EXPECT(!stopped_ && !in_path_ && head.layer >= last_layer_);
+  last_layer_ = head.layer;
+  return noted(next().place(head, figure, at));
+}
+
+Flow BoundsSink::points(std::span<const Vec2> points) {
+  for (const Vec2 p : points) box_.add(p);
+  return Flow::go;
+}
+
+}  // namespace burin

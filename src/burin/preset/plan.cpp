@@ -1,0 +1,1 @@
+#include <burin/preset/plan.hpp>

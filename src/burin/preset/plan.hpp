@@ -1,0 +1,55 @@
+#pragma once
+
+#include <burin/base/executor.hpp>
+#include <burin/base/result.hpp>
+#include <burin/path/back_end.hpp>
+#include <burin/path/draw_context.hpp>
+#include <burin/preset/piece.hpp>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace burin::preset {
+
+/// How a plan is run, once for each output.
+struct RunOptions {
+  Space space = Space::page;
+  double tolerance_mm = 0.0;                      ///< what the output can show; 0: every point
+  std::function<bool(const SheetLayer&)> wanted;  ///< null: every layer
+  std::stop_token stop;
+  const Executor* executor = nullptr;
+};
+
+/// A piece fitted to its page and ready to be drawn, as often as one likes: each run replays the generators into a
+/// sink. Const and free of state; runs may go on at the same time.
+class Plan {
+ public:
+  /// Fits every slot. A problem: a slot without ink to fit, a curve that leaves the range of numbers.
+  static Result<Plan> make(Piece piece);
+
+  const Sheet& sheet() const { return *sheet_; }
+  /// For Origin: filled in by whoever knows what was asked for.
+  void set_origin(Origin origin);
+
+  /// What a run would emit, counted up to `enough` points.
+  Forecast forecast(const RunOptions& options, double enough) const;
+  /// An error that names the costliest layer and what to lower, when a run would emit more than `max_points`.
+  Result<Forecast> check_size(const RunOptions& options, double max_points) const;
+
+  /// Draws every wanted layer into the sink. Flow::stop: the sink or the stop token ended it early.
+  Flow run(PathSink& sink, const RunOptions& options) const;
+
+  /// Whether another seed gives another picture.
+  bool uses_seed() const;
+
+ private:
+  struct Step;
+  struct Placed;
+
+  std::shared_ptr<Sheet> sheet_;
+  std::shared_ptr<const std::vector<Step>> steps_;
+};
+
+}  // namespace burin::preset
