@@ -16,7 +16,8 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// "#rgb", "#rrggbb", a CSS colour name or one of burin's papers ("oat", "ivory" ...); nothing for other words.
+/// "#rgb", "#rrggbb", a CSS colour name or one of burin's papers ("oat", "kraft" ...), in small or capital letters;
+/// nothing for other words.
 std::optional<Colour> parse_colour(std::string_view text);
 
 /// Every colour name, in alphabetical order.

@@ -2,6 +2,7 @@
 #include <array>
 #include <burin/base/check.hpp>
 #include <burin/path/decorators.hpp>
+#include <burin/path/recording.hpp>
 
 namespace burin {
 
@@ -16,11 +17,19 @@ Flow Mapped::points(std::span<const Vec2> points) {
   return Flow::go;
 }
 
+PathHead Relabelled::relabelled(const PathHead& head) const {
+  PathHead label = head_;
+  label.closed = head.closed;
+  label.paint = head.paint;
+  return label;
+}
+
 Flow Relabelled::begin(const PathHead& head) {
-  PathHead relabelled = head_;
-  relabelled.closed = head.closed;
-  relabelled.paint = head.paint;
-  return next().begin(relabelled);
+  return next().begin(relabelled(head));
+}
+
+Flow Relabelled::place(const PathHead& head, const Figure& figure, const Affine2& at) {
+  return next().place(relabelled(head), figure, at);
 }
 
 Flow Counted::begin(const PathHead& head) {
@@ -33,12 +42,22 @@ Flow Counted::points(std::span<const Vec2> points) {
   return next().points(points);
 }
 
+Flow Counted::place(const PathHead& head, const Figure& figure, const Affine2& at) {
+  paths_ += figure.drawing().paths().size();
+  points_ += figure.drawing().all_points().size();
+  return next().place(head, figure, at);
+}
+
 Flow Stoppable::begin(const PathHead& head) {
   return stop_.stop_requested() ? Flow::stop : next().begin(head);
 }
 
 Flow Stoppable::points(std::span<const Vec2> points) {
   return stop_.stop_requested() ? Flow::stop : next().points(points);
+}
+
+Flow Stoppable::place(const PathHead& head, const Figure& figure, const Affine2& at) {
+  return stop_.stop_requested() ? Flow::stop : next().place(head, figure, at);
 }
 
 Checked::~Checked() {

@@ -49,17 +49,21 @@ class Relabelled final : public Decorator {
  public:
   Relabelled(PathSink& next, const PathHead& head) : Decorator(next), head_(head) {}
   Flow begin(const PathHead& head) override;
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
 
  private:
+  PathHead relabelled(const PathHead& head) const;
+
   PathHead head_;
 };
 
-/// Counts paths and points, and passes them on.
+/// Counts paths and points, those of placed figures too, and passes them on.
 class Counted final : public Decorator {
  public:
   using Decorator::Decorator;
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
   std::uint64_t paths() const { return paths_; }
   std::uint64_t point_count() const { return points_; }
 
@@ -74,6 +78,7 @@ class Stoppable final : public Decorator {
   Stoppable(PathSink& next, std::stop_token stop) : Decorator(next), stop_(std::move(stop)) {}
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
 
  private:
   std::stop_token stop_;
