@@ -1,1 +1,21 @@
+#include <algorithm>
+#include <array>
 #include <burin/curves/family.hpp>
+#include <burin/curves/two_point/two_point.hpp>
+
+namespace burin::curves {
+
+std::span<const Family> catalogue() {
+  static const std::array<Family, 1> families{
+      two_point_family(),
+  };
+  return families;
+}
+
+const Family* find_family(std::string_view name) {
+  const std::span<const Family> families = catalogue();
+  const auto row = std::find_if(families.begin(), families.end(), [&](const Family& f) { return f.name == name; });
+  return row == families.end() ? nullptr : &*row;
+}
+
+}  // namespace burin::curves

@@ -23,8 +23,9 @@ struct Family {
   std::optional<std::any> (*read)(const params::Table& table, params::ReadContext& context,
                                   const std::vector<std::string_view>& also_known);
 
-  /// The box of frame(curve), exact to rounding. Empty when nothing is drawn.
-  Box2 (*bounds)(const std::any& parameters, const DrawContext& context, const Affine2& frame);
+  /// The box of frame(curve), exact to rounding. Nothing when it cannot be had: too many points to run through without
+  /// a bound on what an edge generates, or points beyond the range of numbers.
+  std::optional<Box2> (*bounds)(const std::any& parameters, const DrawContext& context, const Affine2& frame);
 
   /// What draw will emit under this context. Gives up counting above `enough` points and then reports a bound above it.
   Forecast (*forecast)(const std::any& parameters, const DrawContext& context, double enough);

@@ -104,7 +104,10 @@ Flow Checked::place(const PathHead& head, const Figure& figure, const Affine2& a
 }
 
 Flow BoundsSink::points(std::span<const Vec2> points) {
-  for (const Vec2 p : points) box_.add(p);
+  for (const Vec2 p : points) {
+    box_.add(p);
+    finite_ = finite_ && is_finite(p);
+  }
   return Flow::go;
 }
 

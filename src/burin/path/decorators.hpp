@@ -105,7 +105,7 @@ class Checked final : public Decorator {
   LayerId last_layer_ = 0;
 };
 
-/// Takes a drawing and keeps only its bounding box.
+/// Takes a drawing and keeps only its bounding box and whether every point is finite: the one sink that may meet others.
 class BoundsSink final : public PathSink {
  public:
   Flow begin(const PathHead&) override { return Flow::go; }
@@ -113,9 +113,11 @@ class BoundsSink final : public PathSink {
   Flow contour() override { return Flow::go; }
   Flow end() override { return Flow::go; }
   const Box2& box() const { return box_; }
+  bool finite() const { return finite_; }
 
  private:
   Box2 box_;
+  bool finite_ = true;
 };
 
 }  // namespace burin

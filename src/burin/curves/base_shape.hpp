@@ -1,0 +1,48 @@
+#pragma once
+
+#include <burin/geom/affine2.hpp>
+#include <burin/geom/vec2.hpp>
+#include <burin/params/fields.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace burin::curves {
+
+/// A polyline, or a polygon whose last edge returns to its first point (which is not repeated).
+struct Polyline {
+  std::vector<Vec2> points;
+  bool closed = false;
+
+  std::size_t edge_count() const { return closed ? points.size() : points.size() - 1; }
+  Vec2 edge_begin(std::size_t edge) const { return points[edge]; }
+  Vec2 edge_end(std::size_t edge) const { return points[edge + 1 == points.size() ? 0 : edge + 1]; }
+};
+
+/// What a scheme refines: S_0, model units, y up. Edges are counted through all polylines.
+struct BaseShape {
+  std::vector<Polyline> polylines{{{{0.0, 0.0}, {1.0, 0.0}}, false}};
+  std::string text = "\"segment\"";  ///< as it was written, for help
+
+  std::size_t edge_count() const;
+};
+
+}  // namespace burin::curves
+
+/// "segment" (0,0)-(1,0); "triangle" and "square": counter-clockwise on that segment; { shape = "ngon", n = 5 } and
+/// { shape = "star", n = 5, inner = 0.4 }: about the origin, circumradius 1, first corner up, counter-clockwise;
+/// { points = [[x, y], ...], closed = true }; { csv = "file" }; { path = "M0 0 ..." } (SVG path data, turned y up).
+template <>
+struct burin::params::ValueType<burin::curves::BaseShape> {
+  static std::string name() { return "base"; }
+  static bool read(const Value& value, burin::curves::BaseShape& base, ReadContext& context);
+  static std::string text(const burin::curves::BaseShape& base) { return base.text; }
+};
+
+/// A point [x, y] of numbers or constant expressions.
+template <>
+struct burin::params::ValueType<burin::Vec2> {
+  static std::string name() { return "point"; }
+  static bool read(const Value& value, burin::Vec2& point, ReadContext& context);
+  static std::string text(const burin::Vec2& point);
+};

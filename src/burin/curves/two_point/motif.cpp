@@ -1,0 +1,330 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <burin/base/math.hpp>
+#include <burin/curves/base_shape.hpp>
+#include <burin/curves/two_point/motif.hpp>
+#include <burin/params/fields.hpp>
+#include <cctype>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace burin::curves::two_point {
+
+namespace {
+
+template <class Predicate>
+bool any_amount(const Motif& motif, Predicate predicate) {
+  for (const Stage& stage : motif.by_level) {
+    for (const std::vector<Mark>& marks : stage.by_edge) {
+      for (const Mark& mark : marks) {
+        if (predicate(mark.alpha) || predicate(mark.beta)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool Motif::is_constant() const {
+  return !any_amount(*this, [](const Amount& amount) { return !amount.is_constant(); });
+}
+
+bool Motif::is_random() const {
+  constexpr std::size_t rand_variable = 3;
+  return any_amount(*this, [](const Amount& amount) {
+    return amount.expression ? amount.expression->uses(rand_variable) : amount.low != amount.high;
+  });
+}
+
+namespace {
+
+enum class BetaUnit : std::uint8_t { relative, absolute };
+constexpr auto words(BetaUnit) {
+  return std::array<params::Word<BetaUnit>, 2>{{{"relative", BetaUnit::relative}, {"absolute", BetaUnit::absolute}}};
+}
+
+/// Flags of the sub-edges: a list of 0 and 1, or the letters of a turtle word that set the flag.
+struct Flags {
+  std::vector<int> list;
+  std::string letters;
+};
+
+/// The keys of a motif written as a table.
+struct MotifSpec {
+  std::vector<Mark> marks;
+  std::vector<Vec2> points;
+  std::string turtle;
+  double angle = 90.0;
+  std::vector<std::vector<Mark>> by_edge;
+  std::vector<Motif> by_level;
+  std::optional<SignRule> sign;
+  Flags flip;
+  Flags reverse;
+  BetaUnit beta = BetaUnit::relative;
+  double decay = 1.0;
+
+  static constexpr auto fields() {
+    using params::field;
+    return std::tuple{
+        field("marks", &MotifSpec::marks, "[[alpha, beta], ...]: along the edge, to the right of it"),
+        field("points", &MotifSpec::points, "[[x, y], ...]: its vertices from first to last, y up"),
+        field("turtle", &MotifSpec::turtle, "letters draw, + turns left, - turns right by `angle`"),
+        field("angle", &MotifSpec::angle, {-360.0, 360.0}, "turn of + and - in degrees"),
+        field("by_edge", &MotifSpec::by_edge, "lists of marks for the edges in turn"),
+        field("by_level", &MotifSpec::by_level, "motifs for the levels in turn"),
+        field("sign", &MotifSpec::sign, "sign of beta over the whole sequence"),
+        field("flip", &MotifSpec::flip, "sub-edges to mirror: [0, 1, ...] or letters of `turtle`"),
+        field("reverse", &MotifSpec::reverse, "sub-edges to build from their far end: [0, 1, ...] or letters"),
+        field("beta", &MotifSpec::beta, "relative: in edge lengths; absolute: in model units"),
+        field("decay", &MotifSpec::decay, {0.0, 10.0, true, false}, "factor on beta from each level to the next")};
+  }
+};
+
+}  // namespace
+
+}  // namespace burin::curves::two_point
+
+namespace burin::params {
+
+namespace two_point = curves::two_point;
+
+template <>
+struct ValueType<two_point::Amount> {
+  static bool read(const Value& value, two_point::Amount& amount, ReadContext& context) {
+    if (const std::string* text = value.text()) {
+      Result<expr::Expression> compiled = expr::Expression::compile(*text, two_point::amount_variables, value.where);
+      if (!compiled) {
+        context.problems.insert(context.problems.end(), compiled.problems().begin(), compiled.problems().end());
+        return false;
+      }
+      if (!compiled->is_constant()) {
+        amount = {0.0, 0.0, *std::move(compiled)};
+        return true;
+      }
+    } else if (const Table* table = value.table()) {
+      return read_range(*table, value.where, amount, context);
+    }
+    if (!read_number(value, amount.low, context)) return false;
+    amount = {amount.low, amount.low, std::nullopt};
+    return true;
+  }
+
+  static bool read_range(const Table& table, const Where& where, two_point::Amount& amount, ReadContext& context) {
+    const Value* range = table.find("random");
+    if (range == nullptr || table.entries.size() != 1 || range->array() == nullptr || range->array()->size() != 2) {
+      context.report(where, "a random amount is written { random = [low, high] }");
+      return false;
+    }
+    amount = {};
+    if (!read_number((*range->array())[0], amount.low, context)) return false;
+    if (!read_number((*range->array())[1], amount.high, context)) return false;
+    if (amount.low <= amount.high) return true;
+    context.report(range->where, "the low end of a random range must not lie above its high end");
+    return false;
+  }
+};
+
+template <>
+struct ValueType<two_point::Mark> {
+  static std::string name() { return "mark"; }
+  static bool read(const Value& value, two_point::Mark& mark, ReadContext& context) {
+    const Array* array = value.array();
+    if (array == nullptr || array->size() != 2) return report_kind(value, "a mark [alpha, beta]", context);
+    const bool alpha = ValueType<two_point::Amount>::read((*array)[0], mark.alpha, context);
+    return ValueType<two_point::Amount>::read((*array)[1], mark.beta, context) && alpha;
+  }
+  static std::string text(const two_point::Mark&) { return {}; }
+};
+
+template <>
+struct ValueType<two_point::Flags> {
+  static std::string name() { return "list of 0 and 1, or letters"; }
+  static bool read(const Value& value, two_point::Flags& flags, ReadContext& context) {
+    flags = {};
+    if (const std::string* letters = value.text()) {
+      flags.letters = *letters;
+      return true;
+    }
+    if (!ValueType<std::vector<int>>::read(value, flags.list, context)) return false;
+    const bool bits = std::all_of(flags.list.begin(), flags.list.end(), [](int f) { return f == 0 || f == 1; });
+    if (!bits) context.report(value.where, "flags are 0 or 1, one for each sub-edge");
+    return bits;
+  }
+  static std::string text(const two_point::Flags&) { return "[]"; }
+};
+
+}  // namespace burin::params
+
+namespace burin::curves::two_point {
+
+static_assert(params::ParamStruct<MotifSpec>);
+
+namespace {
+
+Amount constant(double value) {
+  return {value, value, std::nullopt};
+}
+
+/// Marks from vertices: divided by the chord, alpha = Re, beta = -Im. Nothing when first and last coincide.
+std::optional<std::vector<Mark>> marks_from_vertices(const std::vector<Vec2>& vertices) {
+  const Vec2 chord = vertices.back() - vertices.front();
+  const double norm = length_squared(chord);
+  if (norm == 0.0) return std::nullopt;
+  std::vector<Mark> marks;
+  for (std::size_t j = 1; j + 1 < vertices.size(); ++j) {
+    const Vec2 p = vertices[j] - vertices.front();
+    marks.push_back({constant(dot(p, chord) / norm), constant(-cross(chord, p) / norm)});
+  }
+  return marks;
+}
+
+/// The vertices a turtle visits, and the letter that drew each edge.
+struct TurtlePath {
+  std::vector<Vec2> vertices{{0.0, 0.0}};
+  std::string letters;
+};
+
+std::optional<TurtlePath> walk_turtle(const std::string& word, double angle_degrees, const Where& where,
+                                      params::ReadContext& context) {
+  constexpr std::size_t longest_word = 4096;
+  TurtlePath path;
+  int heading = 0;
+  if (word.size() > longest_word) {
+    context.report(where, fmt::format("a turtle word has at most {} characters", longest_word));
+    return std::nullopt;
+  }
+  for (const char c : word) {
+    if (c == '+') {
+      ++heading;
+    } else if (c == '-') {
+      --heading;
+    } else if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      const double degrees = angle_degrees * heading;
+      path.vertices.push_back(path.vertices.back() + Vec2{math::cos_degrees(degrees), math::sin_degrees(degrees)});
+      path.letters += c;
+    } else if (c != ' ') {
+      context.report(where, fmt::format("a turtle word is made of letters, + and -; found '{}'", c));
+      return std::nullopt;
+    }
+  }
+  return path;
+}
+
+/// Reads the one source of marks that the table has into `motif.by_level`; the letters of a turtle word into `letters`.
+bool read_marks(const MotifSpec& spec, const Where& where, Motif& motif, std::string& letters,
+                params::ReadContext& context) {
+  const int sources = int{!spec.marks.empty()} + int{!spec.points.empty()} + int{!spec.turtle.empty()} +
+                      int{!spec.by_edge.empty()} + int{!spec.by_level.empty()};
+  if (sources != 1) {
+    context.report(where, "a motif needs exactly one of 'marks', 'points', 'turtle', 'by_edge' and 'by_level'");
+    return false;
+  }
+  if (!spec.by_level.empty()) {
+    for (const Motif& level : spec.by_level) {
+      if (level.by_level.size() != 1 || level.has_flags() || level.sign || level.absolute || level.decay != 1.0) {
+        context.report(where,
+                       "the motifs of 'by_level' are marks alone; put sign, beta and decay beside 'by_level' "
+                       "(flags cannot change by level: use a sign rule)");
+        return false;
+      }
+      motif.by_level.push_back(level.by_level.front());
+    }
+    return true;
+  }
+  std::vector<Vec2> vertices = spec.points;
+  if (!spec.turtle.empty()) {
+    std::optional<TurtlePath> path = walk_turtle(spec.turtle, spec.angle, where, context);
+    if (!path) return false;
+    vertices = std::move(path->vertices);
+    letters = std::move(path->letters);
+  }
+  if (!vertices.empty()) {
+    const std::optional<std::vector<Mark>> marks = marks_from_vertices(vertices);
+    if (!marks) {
+      context.report(where, "a motif must end somewhere else than it begins");
+      return false;
+    }
+    motif.by_level = {Stage{{*marks}}};
+  } else {
+    motif.by_level = {Stage{spec.marks.empty() ? spec.by_edge : std::vector<std::vector<Mark>>{spec.marks}}};
+  }
+  for (const std::vector<Mark>& marks : motif.by_level.front().by_edge) {
+    if (marks.size() != motif.by_level.front().mark_count() || marks.empty()) {
+      context.report(where, marks.empty() ? "a motif needs at least one mark between its ends"
+                                          : "the lists of 'by_edge' must be equally long");
+      return false;
+    }
+  }
+  return true;
+}
+
+bool read_flags(std::string_view name, const Flags& flags, const std::string& letters, const Motif& motif,
+                const Where& where, std::vector<std::uint8_t>& target, params::ReadContext& context) {
+  if (flags.list.empty() && flags.letters.empty()) return true;
+  if (!flags.letters.empty() && letters.empty()) {
+    context.report(where, fmt::format("'{}' by letters needs a 'turtle' word; use a list of 0 and 1", name));
+    return false;
+  }
+  if (!flags.letters.empty()) {
+    for (const char c : letters) target.push_back(flags.letters.find(c) == std::string::npos ? 0 : 1);
+    return true;
+  }
+  const std::size_t children = motif.by_level.front().child_count();
+  if (motif.by_level.size() != 1 || flags.list.size() != children) {
+    context.report(where, fmt::format("'{}' needs one flag for each of the {} sub-edges, found {}", name, children,
+                                      flags.list.size()));
+    return false;
+  }
+  for (const int flag : flags.list) target.push_back(static_cast<std::uint8_t>(flag));
+  return true;
+}
+
+bool read_table(const params::Table& table, const Where& where, Motif& motif, params::ReadContext& context) {
+  MotifSpec spec;
+  if (!params::read_fields(table, spec, "motif", context)) return false;
+  Motif read;
+  std::string letters;
+  if (!read_marks(spec, where, read, letters, context)) return false;
+  if (!read_flags("flip", spec.flip, letters, read, where, read.flip, context)) return false;
+  if (!read_flags("reverse", spec.reverse, letters, read, where, read.reverse, context)) return false;
+  read.sign = spec.sign;
+  read.absolute = spec.beta == BetaUnit::absolute;
+  read.decay = spec.decay;
+  if (read.has_flags() && (read.sign || read.absolute || read.decay != 1.0 || !read.is_constant() ||
+                           read.by_level.front().by_edge.size() > 1)) {
+    context.report(where,
+                   "'flip' and 'reverse' need plain marks that are the same on every edge and level; "
+                   "use 'sign' with random, absolute or decaying ones");
+    return false;
+  }
+  motif = std::move(read);
+  return true;
+}
+
+}  // namespace
+
+}  // namespace burin::curves::two_point
+
+namespace burin::params {
+
+bool ValueType<two_point::Motif>::read(const Value& value, two_point::Motif& motif, ReadContext& context) {
+  if (const Table* table = value.table()) return two_point::read_table(*table, value.where, motif, context);
+  const std::string* word = value.text();
+  if (word == nullptr) return report_kind(value, "the name of a motif or a table", context);
+  if (const Value* defined = context.defined(*word); defined != nullptr && defined->table() != nullptr) {
+    return two_point::read_table(*defined->table(), defined->where, motif, context);
+  }
+  if (const two_point::NamedMotif* row = two_point::find_motif(*word)) {
+    motif = two_point::motif_from(*row);
+    return true;
+  }
+  std::vector<std::string_view> known;
+  for (const two_point::NamedMotif& row : two_point::named_motifs()) known.push_back(row.name);
+  context.report(value.where, fmt::format("no motif '{}'{}", *word, suggestion(*word, known)));
+  return false;
+}
+
+}  // namespace burin::params

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <burin/curves/two_point/sign_rule.hpp>
+#include <burin/expr/expression.hpp>
+#include <burin/geom/vec2.hpp>
+#include <burin/params/read_value.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin::curves::two_point {
+
+/// The variables of an amount's expression, in this order: level m and edge i, both from 1, marker j from 1, and rand,
+/// uniform in [0, 1) and keyed by (seed, level, edge, marker).
+inline constexpr std::array<std::string_view, 4> amount_variables{"level", "edge", "marker", "rand"};
+
+/// Half of a mark: a number, a range to draw from, or an expression.
+struct Amount {
+  double low = 0.0;
+  double high = 0.0;  ///< low == high: a constant
+  std::optional<expr::Expression> expression{};
+
+  bool is_constant() const { return !expression && low == high; }
+};
+
+/// Marker j of an edge: how far along (alpha) and how far to the right of travel (beta, y up). Source: Ding & Qi, eq.
+/// (4).
+struct Mark {
+  Amount alpha;
+  Amount beta;
+};
+
+/// The marks of one level: one list for each edge in turn (edge i uses list (i-1) mod count); all are equally long.
+struct Stage {
+  std::vector<std::vector<Mark>> by_edge;
+
+  std::size_t mark_count() const { return by_edge.front().size(); }
+  std::size_t child_count() const { return mark_count() + 1; }
+};
+
+/// The generator of the two-point scheme: marks for the levels in turn (level m uses stage (m-1) mod count), and either
+/// a sign rule over the whole sequence or flags by which each sub-edge is mirrored or built from its far end.
+struct Motif {
+  std::vector<Stage> by_level;
+  std::vector<std::uint8_t> flip{};     ///< empty, or one for each sub-edge: 1 mirrors
+  std::vector<std::uint8_t> reverse{};  ///< empty, or one for each sub-edge: 1 builds from the far end
+  std::optional<SignRule> sign{};
+  bool absolute = false;  ///< beta in model units instead of edge lengths
+  double decay = 1.0;     ///< factor on beta from each level to the next
+  std::string text = "table";
+
+  bool has_flags() const { return !flip.empty() || !reverse.empty(); }
+  const Stage& stage(int level) const { return by_level[static_cast<std::size_t>(level - 1) % by_level.size()]; }
+  /// Whether every amount is a constant.
+  bool is_constant() const;
+  /// Whether an amount depends on the seed.
+  bool is_random() const;
+};
+
+/// A motif known by name: a row of data.
+struct NamedMotif {
+  std::string_view name;
+  std::string_view alias;  ///< another name for it, or empty
+  std::string_view summary;
+  std::span<const Vec2> marks;  ///< (alpha, beta)
+  std::span<const std::uint8_t> flip;
+  std::span<const std::uint8_t> reverse;
+};
+
+std::span<const NamedMotif> named_motifs();
+/// The named motif as data. Pre: the row is from named_motifs().
+Motif motif_from(const NamedMotif& row);
+/// By name or alias; null for unknown names.
+const NamedMotif* find_motif(std::string_view name);
+
+}  // namespace burin::curves::two_point
+
+/// A name ("koch", or one written in [define]) or a table with one of
+///   marks = [[alpha, beta], ...], points = [[x, y], ...] (vertices, y up, first to last), turtle = "F+F--F+F" with
+///   angle, by_level = [motif, ...], by_edge = [marks, ...]
+/// and sign, flip, reverse, beta = "absolute", decay.
+template <>
+struct burin::params::ValueType<burin::curves::two_point::Motif> {
+  static std::string name() { return "motif"; }
+  static bool read(const Value& value, burin::curves::two_point::Motif& motif, ReadContext& context);
+  static std::string text(const burin::curves::two_point::Motif& motif) { return motif.text; }
+};
