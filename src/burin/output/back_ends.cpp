@@ -1,1 +1,31 @@
+#include <array>
 #include <burin/output/back_ends.hpp>
+#include <burin/output/csv_writer.hpp>
+#include <burin/output/svg_writer.hpp>
+
+namespace burin::output {
+
+namespace {
+
+double shows_everything(const OutputOptions&) {
+  return 0.0;
+}
+
+Result<Done> accepts_everything(const Sheet&, const OutputOptions&) {
+  return Done{};
+}
+
+constexpr std::array table{
+    BackEnd{"native", "svg", "layered SVG in millimetres, for plotters and drawing programs", Space::page, false,
+            svg_tolerance_mm, svg_accepts, open_svg},
+    BackEnd{"native", "csv", "the vertices in model units, one a row", Space::model, false, shows_everything,
+            accepts_everything, open_csv},
+};
+
+}  // namespace
+
+std::span<const BackEnd> back_ends() {
+  return table;
+}
+
+}  // namespace burin::output
