@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -15,10 +16,10 @@ class Sha256 {
  private:
   void compress(const unsigned char* block);
 
-  unsigned int state_[8] = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                            0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+  std::uint32_t state_[8] = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                             0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   unsigned char pending_[64] = {};
-  unsigned long long length_bytes_ = 0;
+  std::uint64_t length_bytes_ = 0;
 };
 
 std::string sha256_hex(std::string_view bytes);

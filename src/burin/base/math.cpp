@@ -1,1 +1,0 @@
-#include <burin/base/math.hpp>
