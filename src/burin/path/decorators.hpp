@@ -57,6 +57,26 @@ class Relabelled final : public Decorator {
   PathHead head_;
 };
 
+/// Puts every path on one sheet layer, painted its way; what is closed, its role and its level stay as they come.
+class Painted final : public Decorator {
+ public:
+  Painted(PathSink& next, LayerId layer, Paint paint) : Decorator(next), layer_(layer), paint_(paint) {}
+  Flow begin(const PathHead& head) override { return next().begin(painted(head)); }
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override {
+    return next().place(painted(head), figure, at);
+  }
+
+ private:
+  PathHead painted(PathHead head) const {
+    head.layer = layer_;
+    head.paint = paint_;
+    return head;
+  }
+
+  LayerId layer_;
+  Paint paint_;
+};
+
 /// Counts paths and points, those of placed figures too, and passes them on.
 class Counted final : public Decorator {
  public:
@@ -105,7 +125,8 @@ class Checked final : public Decorator {
   LayerId last_layer_ = 0;
 };
 
-/// Takes a drawing and keeps only its bounding box and whether every point is finite: the one sink that may meet others.
+/// Takes a drawing and keeps only its bounding box and whether every point is finite: the one sink that may meet
+/// others.
 class BoundsSink final : public PathSink {
  public:
   Flow begin(const PathHead&) override { return Flow::go; }

@@ -1,1 +1,263 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <burin/base/number_text.hpp>
+#include <burin/base/random.hpp>
+#include <burin/path/decorators.hpp>
+#include <burin/preset/pen_bands.hpp>
 #include <burin/preset/plan.hpp>
+#include <burin/preset/slot_layout.hpp>
+#include <cmath>
+#include <utility>
+
+namespace burin::preset {
+
+/// A preset layer in its slot, with every copy it is drawn as.
+struct Plan::Placed {
+  Layer layer;
+  SlotFrame frame;
+  std::vector<Copy> copies;
+  double extent_mm = 0.0;  ///< how far ink may reach beyond a point: half the widest pen, more for miters
+
+  std::uint64_t seed_of(const Copy& copy, std::uint64_t piece_seed) const;
+};
+
+/// One sheet layer: which placed layer it draws, and how.
+struct Plan::Step {
+  std::shared_ptr<const Placed> placed;
+  Paint paint = Paint::stroke;
+  std::optional<std::size_t> band;  ///< of the layer's pens; nothing: all of it
+  std::uint64_t piece_seed = 0;
+
+  DrawContext context(const Copy& copy, const RunOptions& options, const Page& page) const;
+  Flow draw(const Copy& copy, LayerId layer, PathSink& sink, const RunOptions& options, const Page& page) const;
+};
+
+namespace {
+
+std::uint64_t layer_seed(const Layer& layer, std::uint64_t piece_seed, int cell) {
+  std::uint64_t seed = piece_seed;
+  if (layer.style.seed != 0) seed = random_bits(seed, layer.style.seed);
+  // The first copy is the plain picture; the symmetric copies of a cell are alike.
+  return cell == 0 ? seed : random_bits(seed, cell);
+}
+
+const SlotSpec& slot_of(const Piece& piece, const Layer& layer) {
+  static const SlotSpec live_area;
+  for (const NamedSlot& slot : piece.slots) {
+    if (slot.name == layer.style.slot) return slot.slot;
+  }
+  return live_area;
+}
+
+std::size_t pen_index(const Piece& piece, const std::string& name) {
+  for (std::size_t pen = 0; pen < piece.pens.size(); ++pen) {
+    if (piece.pens[pen].name == name) return pen;
+  }
+  return 0;
+}
+
+double half_widest_pen_mm(const Piece& piece, const Layer& layer) {
+  if (layer.style.stroke == "none") return 0.0;
+  double widest = 0.0;
+  for (const std::string& name : layer.style.pen.of) {
+    widest = std::max(widest, piece.pens[pen_index(piece, name)].pen.width.mm);
+  }
+  return 0.5 * widest;
+}
+
+Sheet sheet_of(const Piece& piece) {
+  Sheet sheet;
+  sheet.page = {piece.page.size.width_mm, piece.page.size.height_mm, piece.page.bleed.mm, piece.page.paper};
+  for (const NamedPen& pen : piece.pens) sheet.pens.push_back({pen.name, pen.pen.color, pen.pen.width.mm});
+  return sheet;
+}
+
+SheetLayer sheet_layer(const Piece& piece, const LayerStyle& style, const std::string& pen, Paint paint) {
+  SheetLayer layer;
+  layer.name = style.name;
+  layer.pen = pen_index(piece, pen);
+  layer.paint = paint;
+  layer.cap = style.caps;
+  layer.join = style.joins;
+  layer.miter_limit = style.miter;
+  for (const params::Length& dash : style.dashes) layer.dashes_mm.push_back(dash.mm);
+  layer.opacity = style.opacity;
+  return layer;
+}
+
+/// Most points a curve is run through before its size is known.
+constexpr double most_points_unbounded = 5e7;
+
+/// Why a layer has no box, in words for the user.
+Problem explain(Problem problem, const Layer& layer, std::uint64_t seed) {
+  problem.where = layer.where;
+  const double asked = layer.family->forecast(layer.parameters, {.seed = seed}, 0.0).asked_points;
+  if (problem.trouble == Trouble::input && asked > most_points_unbounded) {
+    problem.trouble = Trouble::limit;
+    problem.message += fmt::format(": it has {:.3g} points and nothing bounds what its marks generate; lower '{}'",
+                                   asked, layer.family->cost_knob);
+  }
+  problem.message = fmt::format("layer '{}': {}", layer.style.name, problem.message);
+  return problem;
+}
+
+}  // namespace
+
+std::uint64_t Plan::Placed::seed_of(const Copy& copy, std::uint64_t piece_seed) const {
+  return layer_seed(layer, piece_seed, copy.cell);
+}
+
+DrawContext Plan::Step::context(const Copy& copy, const RunOptions& options, const Page& page) const {
+  DrawContext context{.seed = placed->seed_of(copy, piece_seed), .stop = options.stop, .executor = options.executor};
+  const Affine2 page_from_model = placed->frame.page_from_slot() * copy.slot_from_model;
+  context.mm_per_unit = page_from_model.scale();
+  if (options.tolerance_mm > 0.0 && options.space == Space::page) {
+    const Box2 sheet{{-page.bleed_mm, -page.bleed_mm}, {page.width_mm + page.bleed_mm, page.height_mm + page.bleed_mm}};
+    context.view.box = image_box(inverse(page_from_model), sheet.grown(placed->extent_mm));
+    context.view.tolerance = options.tolerance_mm / context.mm_per_unit;
+  }
+  return context;
+}
+
+Flow Plan::Step::draw(const Copy& copy, LayerId layer, PathSink& sink, const RunOptions& options,
+                      const Page& page) const {
+  // From the generator: its band of the pen, the page, this layer's name on every path.
+  const DrawContext drawn = context(copy, options, page);
+  Painted painted(sink, layer, paint);
+  Mapped mapped(painted, options.space == Space::page ? placed->frame.page_from_slot() * copy.slot_from_model
+                                                      : copy.model_from_model);
+  Stoppable stoppable(mapped, options.stop);
+  if (!band) return placed->layer.family->draw(placed->layer.parameters, drawn, stoppable);
+  PenBand banded(stoppable, placed->layer.style.pen, *band, copy, placed->frame, drawn.seed);
+  return placed->layer.family->draw(placed->layer.parameters, drawn, banded);
+}
+
+Result<Plan> Plan::make(Piece piece) {
+  Plan plan;
+  auto sheet = std::make_shared<Sheet>(sheet_of(piece));
+  auto steps = std::make_shared<std::vector<Step>>();
+  Problems problems;
+  for (Layer& layer : piece.layers) {
+    const SlotSpec& slot = slot_of(piece, layer);
+    auto placed = std::make_shared<Placed>();
+    placed->frame = slot_frame(piece.page, slot);
+
+    // One fit for all layers of a slot: the box is over the slot's layers, the inset over their pens.
+    double inset_mm = 0.0;
+    const Layer* boxless = nullptr;
+    for (const Layer& other : piece.layers) {
+      if (other.style.slot == layer.style.slot) inset_mm = std::max(inset_mm, half_widest_pen_mm(piece, other));
+    }
+    const ContentBox content_box = [&](const Affine2& map, int cell) -> std::optional<Box2> {
+      Box2 content;
+      for (const Layer& other : piece.layers) {
+        if (other.style.slot != layer.style.slot) continue;
+        const std::optional<Box2> box =
+            other.family->bounds(other.parameters, {.seed = layer_seed(other, piece.seed, cell)}, map);
+        if (!box || !is_finite(box->low) || !is_finite(box->high)) {
+          boxless = &other;
+          return std::nullopt;
+        }
+        content.add(*box);
+      }
+      return content;
+    };
+    Result<std::vector<Copy>> copies = lay_out(slot, placed->frame, inset_mm, content_box);
+    if (!copies) {
+      problems.push_back(explain(copies.problems().front(), boxless != nullptr ? *boxless : layer, piece.seed));
+      continue;
+    }
+    placed->copies = *std::move(copies);
+    placed->extent_mm = half_widest_pen_mm(piece, layer) * (layer.style.joins == Join::miter ? layer.style.miter : 1.5);
+    placed->layer = layer;
+    const LayerStyle& style = placed->layer.style;
+    if (!style.fill.empty()) {
+      const Paint rule = style.rule == FillRule::evenodd ? Paint::fill_evenodd : Paint::fill_nonzero;
+      sheet->layers.push_back(sheet_layer(piece, style, style.fill, rule));
+      steps->push_back({placed, rule, std::nullopt, piece.seed});
+    }
+    if (style.stroke == "none") continue;
+    for (std::size_t band = 0; band < style.pen.of.size(); ++band) {
+      sheet->layers.push_back(sheet_layer(piece, style, style.pen.of[band], Paint::stroke));
+      steps->push_back(
+          {placed, Paint::stroke, style.pen.of.size() > 1 ? std::optional(band) : std::nullopt, piece.seed});
+    }
+  }
+  if (!problems.empty()) return problems;
+  plan.sheet_ = std::move(sheet);
+  plan.steps_ = std::move(steps);
+  return plan;
+}
+
+void Plan::set_origin(Origin origin) {
+  auto sheet = std::make_shared<Sheet>(*sheet_);
+  sheet->made_by = std::move(origin);
+  sheet_ = std::move(sheet);
+}
+
+Forecast Plan::forecast(const RunOptions& options, double enough) const {
+  Forecast total{};
+  for (std::size_t s = 0; s < steps_->size(); ++s) {
+    const Step& step = (*steps_)[s];
+    if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
+    for (const Copy& copy : step.placed->copies) {
+      const Forecast part = step.placed->layer.family->forecast(
+          step.placed->layer.parameters, step.context(copy, options, sheet_->page), enough - total.points);
+      total.points += part.points;
+      total.asked_points += part.asked_points;
+      // A band draws no more than the whole.
+      total.exact = total.exact && part.exact && !step.band;
+      if (total.points > enough) {
+        total.exact = false;
+        return total;
+      }
+    }
+  }
+  return total;
+}
+
+Result<Forecast> Plan::check_size(const RunOptions& options, double max_points) const {
+  const Forecast total = forecast(options, max_points);
+  if (total.points <= max_points) return total;
+  // Blame the layer that asks for most.
+  const Placed* costliest = nullptr;
+  double most = -1.0;
+  for (std::size_t s = 0; s < steps_->size(); ++s) {
+    const Placed& placed = *(*steps_)[s].placed;
+    if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
+    const double asked = placed.layer.family->forecast(placed.layer.parameters, {}, 0.0).asked_points *
+                         static_cast<double>(placed.copies.size());
+    if (asked > most) {
+      most = asked;
+      costliest = &placed;
+    }
+  }
+  return Problem{costliest->layer.where,
+                 fmt::format("layer '{}' asks for {:.3g} points and would draw more than {:.3g}; lower '{}', or raise "
+                             "--max-points",
+                             costliest->layer.style.name, most, max_points, costliest->layer.family->cost_knob),
+                 Trouble::limit,
+                 {}};
+}
+
+Flow Plan::run(PathSink& sink, const RunOptions& options) const {
+  for (std::size_t s = 0; s < steps_->size(); ++s) {
+    if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
+    const Step& step = (*steps_)[s];
+    for (const Copy& copy : step.placed->copies) {
+      if (step.draw(copy, static_cast<LayerId>(s), sink, options, sheet_->page) == Flow::stop) return Flow::stop;
+    }
+  }
+  return Flow::go;
+}
+
+bool Plan::uses_seed() const {
+  constexpr std::size_t rand_variable = band_variables.size() - 1;
+  return std::any_of(steps_->begin(), steps_->end(), [](const Step& step) {
+    const Layer& layer = step.placed->layer;
+    return layer.family->uses_seed(layer.parameters) || (step.band && layer.style.pen.by.uses(rand_variable));
+  });
+}
+
+}  // namespace burin::preset

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <burin/curves/point_buffer.hpp>
+#include <burin/path/decorators.hpp>
+#include <burin/preset/piece.hpp>
+#include <burin/preset/slot_layout.hpp>
+#include <cstddef>
+#include <cstdint>
+
+namespace burin::preset {
+
+/// Lets through the parts of the strokes that one band of a PenChoice draws, cut where the band changes: at every
+/// vertex and, in between, by bisection to 2^-30 of an edge, looking at least every half millimetre. Points come and go
+/// in model units. O(1) memory.
+class PenBand final : public Decorator {
+ public:
+  /// `choice` must outlive the sink; `seed` is the copy's.
+  PenBand(PathSink& next, const PenChoice& choice, std::size_t band, const Copy& copy, const SlotFrame& frame,
+          std::uint64_t seed);
+
+  Flow begin(const PathHead& head) override;
+  Flow points(std::span<const Vec2> points) override;
+  Flow contour() override;
+  Flow end() override;
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
+
+ private:
+  Flow edge(Vec2 from, Vec2 to);
+  Flow finish_contour();
+  Flow draw_to(Vec2 from, Vec2 to);
+  Flow lift();
+  bool inside(Vec2 point, Vec2 direction);
+
+  const PenChoice& choice_;
+  std::size_t band_;
+  Copy copy_;
+  SlotFrame frame_;
+  std::uint64_t seed_;
+  curves::PointBuffer buffer_;
+
+  PathHead head_{};
+  std::uint64_t edge_index_ = 0;
+  std::uint64_t contour_points_ = 0;
+  Vec2 first_{};
+  Vec2 last_{};
+  bool down_ = false;  ///< a piece is begun and not ended
+};
+
+}  // namespace burin::preset
