@@ -90,8 +90,8 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
   // The box of everything that shares the place, mirrored and turned but not yet scaled.
   Box2 content;
   if (slot.frame) {
-    content.add({(*slot.frame)[0], (*slot.frame)[1]});
-    content.add({(*slot.frame)[2], (*slot.frame)[3]});
+    content.add(Vec2{(*slot.frame)[0], (*slot.frame)[1]});
+    content.add(Vec2{(*slot.frame)[2], (*slot.frame)[3]});
   } else {
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
       for (const Affine2& turn : turned) {
