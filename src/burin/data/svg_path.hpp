@@ -14,7 +14,9 @@ struct Subpath {
 };
 
 /// The subpaths of SVG path data (all of MmLlHhVvCcSsQqTtAaZz), curves flattened so that no chord is farther than
-/// `tolerance` from its curve. Coordinates as written, y down. A problem gives the place in the data, added to `where`.
+/// `tolerance` from its curve (see flatten.hpp for tiny ones). Coordinates as written, y down. A moveto that nothing
+/// follows draws nothing. A problem gives the place in the data, added to `where`. At most 65,536 commands and 2^20
+/// points, every number within 1e12.
 /// Source: SVG 1.1, chapter 8 and appendix F.6.
 Result<std::vector<Subpath>> parse_svg_path(std::string_view d, double tolerance, const Where& where);
 
