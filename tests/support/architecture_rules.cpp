@@ -82,6 +82,31 @@ bool names(std::string_view text, std::string_view name) {
   return false;
 }
 
+using Lists = std::map<std::string, std::string>;
+
+/// The text of each CMakeLists.txt by its folder.
+Lists lists_of(const std::vector<File>& files) {
+  Lists lists;
+  for (const File& file : files) {
+    constexpr std::string_view name = "/CMakeLists.txt";
+    if (file.path.ends_with(name)) lists[file.path.substr(0, file.path.size() - name.size())] = file.text;
+  }
+  return lists;
+}
+
+/// Whether test(list, name of the file from there) holds for the list of the file's folder or of one above.
+template <class Test>
+bool any_list(const Lists& lists, const std::string& path, const Test& test) {
+  for (std::size_t slash = path.rfind('/'); slash != std::string::npos && slash > 0;
+       slash = path.rfind('/', slash - 1)) {
+    const auto list = lists.find(path.substr(0, slash));
+    if (list != lists.end() && test(std::string_view(list->second), std::string_view(path).substr(slash + 1))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string code_only(std::string_view text) {
@@ -192,9 +217,14 @@ Violations libraries(const std::vector<File>& files, const std::vector<Library>&
 }
 
 Violations public_headers(const std::vector<File>& files) {
+  const Lists lists = lists_of(files);
   Violations found;
   for (const File& file : files) {
     if (!in_library(file.path) || !file.path.ends_with(".hpp")) continue;
+    const bool installed = any_list(lists, file.path, [](std::string_view list, std::string_view name) {
+      return names(list.substr(std::min(list.find("FILE_SET"), list.size())), name);
+    });
+    if (!installed) continue;
     for (const Include& include : includes_of(file)) {
       const bool ours = include.header.starts_with("burin/");
       const bool standard = include.header.find_first_of("./") == std::string::npos;
@@ -277,20 +307,12 @@ Violations long_files(const std::vector<File>& files, int max_lines) {
 }
 
 Violations unlisted_sources(const std::vector<File>& files) {
-  std::map<std::string, std::string> lists;  // folder, text
-  for (const File& file : files) {
-    constexpr std::string_view name = "/CMakeLists.txt";
-    if (file.path.ends_with(name)) lists[file.path.substr(0, file.path.size() - name.size())] = file.text;
-  }
+  const Lists lists = lists_of(files);
   Violations found;
   for (const File& file : files) {
     if (!is_source(file.path)) continue;
-    bool listed = false;
-    for (std::size_t slash = file.path.rfind('/'); slash != std::string::npos && slash > 0 && !listed;
-         slash = file.path.rfind('/', slash - 1)) {
-      const auto list = lists.find(file.path.substr(0, slash));
-      listed = list != lists.end() && names(list->second, std::string_view(file.path).substr(slash + 1));
-    }
+    const bool listed =
+        any_list(lists, file.path, [](std::string_view list, std::string_view name) { return names(list, name); });
     if (!listed) found.push_back(file.path + ": in no CMakeLists.txt");
   }
   return found;

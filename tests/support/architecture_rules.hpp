@@ -40,7 +40,8 @@ Violations edges(const std::vector<File>& files, const std::vector<Room>& rooms)
 Violations map_of_rooms(std::string_view readme, const std::vector<std::string>& folders,
                         const std::vector<Room>& rooms);
 Violations libraries(const std::vector<File>& files, const std::vector<Library>& libraries);
-/// No library header but the standard library's in the public headers.
+/// No library header but the standard library's in the headers that are installed: those that a CMakeLists.txt among
+/// `files` has in its FILE_SET.
 Violations public_headers(const std::vector<File>& files);
 /// sin, cos, exp, log, pow ... of libm in the library: their last bits differ between machines.
 Violations transcendentals(const std::vector<File>& files);
