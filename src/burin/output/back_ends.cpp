@@ -1,6 +1,7 @@
 #include <array>
 #include <burin/output/back_ends.hpp>
 #include <burin/output/csv_writer.hpp>
+#include <burin/output/dump_writer.hpp>
 #include <burin/output/svg_writer.hpp>
 
 namespace burin::output {
@@ -20,6 +21,8 @@ constexpr std::array table{
             svg_tolerance_mm, svg_accepts, open_svg},
     BackEnd{"native", "csv", "the vertices in model units, one a row", Space::model, false, shows_everything,
             accepts_everything, open_csv},
+    BackEnd{"native", "dump", "the canonical dump in whole micrometres, to compare drawings", Space::page, false,
+            shows_everything, accepts_everything, open_dump},
 };
 
 }  // namespace
