@@ -30,7 +30,7 @@ case $way in
     "$BURIN_PREFIX/bin/burin" --version
     ;;
   find_package)
-    configure find_package -DCMAKE_PREFIX_PATH="$BURIN_PREFIX"
+    configure find_package -DCMAKE_PREFIX_PATH="$BURIN_PREFIX" -DBURIN_INCLUDE_DIR="$BURIN_PREFIX/include"
     "$BURIN_CMAKE" --build "$folder"
     expect_picture "$folder/draw_snowflake"
     ;;
