@@ -148,7 +148,7 @@ class PathReader {
 
   std::vector<ReadContour> contours() {
     while (at_ < data_.size()) {
-      const char command = data_[at_++];
+      char command = data_[at_++];
       if (command == 'z' || command == 'Z') {
         contour().closed = true;
         here_ = contour().points.front();
@@ -171,6 +171,7 @@ class PathReader {
     return contours_.back();
   }
 
+  /// One step of `command`, which becomes what its repetition means.
   void step(char& command) {
     switch (command) {
       case 'm':
