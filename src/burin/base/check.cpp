@@ -4,8 +4,8 @@
 
 namespace burin {
 
-void contract_broken(const char* condition, std::source_location where) {
-  std::fprintf(stderr, "%s:%u: contract broken: %s\n", where.file_name(), where.line(), condition);
+void contract_broken(const char* condition, const char* file, int line) {
+  std::fprintf(stderr, "%s:%d: contract broken: %s\n", file, line, condition);
   std::abort();
 }
 
