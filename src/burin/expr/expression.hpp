@@ -10,19 +10,34 @@
 
 /// Arithmetic written in presets: Z = f(x, y), numbers such as "sqrt(3)/6".
 ///
-/// Numbers, + - * / ^ (right associative, -2^2 = -4), comparisons, && || !, a ? b : c, and the functions of
-/// function_names(). sin, cos ... take radians, sind, cosd ... degrees. The same text gives the same bits on every
-/// machine: no libm function is used.
+/// Numbers, names and, from the loosest to the tightest:
+///   a ? b : c   (c may be another of its kind)
+///   ||
+///   &&
+///   == != < <= > >=   (1 or 0)
+///   + -
+///   * /
+///   - ! before a value
+///   ^           (right associative: 2^3^2 = 512; -2^2 = -4)
+/// Functions: sin cos tan asin acos atan atan2(y, x) in radians, the same with a final d (sind, atan2d) in degrees;
+/// exp, log (natural), log10, log2, sqrt, cbrt, pow(a, b), hypot(a, b), abs, sign, floor, ceil, round (halves away from
+/// 0), frac, min and max of any number, clamp(x, low, high), lerp(a, b, t), smoothstep(low, high, x), mod(a, b) with
+/// the sign of b, noise(x, y) in [-1, 1], smooth, bumps about one unit apart. Constants: pi, tau, e; a variable of that
+/// name hides them. Division by zero and the like give infinities and NaN, which are values, not errors.
+///
+/// At most 4096 characters and 100 nested parentheses. The same text gives the same bits on every machine: no libm
+/// function and no locale is used.
 namespace burin::expr {
 
 /// A compiled expression. Copies share the text but not the machine, so copies may be used on different threads.
 class Expression {
  public:
-  /// Compiles `text`, which may use `variables`. A problem says what is wrong, where (column inside the text, added to
-  /// `where`), with a "did you mean" for unknown names.
+  /// Compiles `text`, which may use `variables` (names of letters, digits and _, at most 100 characters). A problem
+  /// says what is wrong, where (column inside the text, added to `where`), with a "did you mean" for unknown names.
   static Result<Expression> compile(std::string_view text, std::span<const std::string_view> variables,
                                     const Where& where);
 
+  /// The constant 0.
   Expression();
   Expression(const Expression&);
   Expression(Expression&&) noexcept;
@@ -31,7 +46,7 @@ class Expression {
   ~Expression();
 
   /// The value for these variables, in the order they were given to compile; may be NaN or infinite. Not to be called
-  /// on one object from two threads at once. About 100 ns.
+  /// on one object from two threads at once. About 5 ns an operation and what the functions take.
   double operator()(std::span<const double> values) const;
 
   const std::string& text() const;
@@ -42,6 +57,8 @@ class Expression {
 
  private:
   struct Machine;
+  explicit Expression(std::unique_ptr<Machine> machine);
+
   std::unique_ptr<Machine> machine_;
 };
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <burin/base/result.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin::expr {
+
+/// A checked expression: every name is known, every bracket closed, operands and operators alternate, and each function
+/// has its arguments.
+struct Scan {
+  std::string formula;     ///< the expression without blanks, at most one sign before an operand
+  std::vector<bool> uses;  ///< for each variable, whether it occurs
+};
+
+/// Checks `text` and reports the first thing that is wrong, with its column inside the text added to `where`. One pass,
+/// no recursion.
+Result<Scan> scan(std::string_view text, std::span<const std::string_view> variables, const Where& where);
+
+}  // namespace burin::expr
