@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <burin/base/check.hpp>
 #include <burin/params/read_value.hpp>
 #include <cstddef>
 #include <limits>
@@ -71,12 +72,17 @@ struct FieldInfo {
 
 namespace detail {
 
-/// Turns into anything: counts the members of an aggregate. Never defined, never called.
+/// Turns into anything: counts the members of an aggregate. Never called; defined only since clang 14 wants a
+/// definition for types of an unnamed namespace.
 struct AnyMember {
   template <class T>
-  operator T&() const& noexcept;  // NOLINT(google-explicit-constructor)
+  operator T&() const& noexcept {  // NOLINT(google-explicit-constructor)
+    contract_broken("AnyMember is for counting");
+  }
   template <class T>
-  operator T&&() const&& noexcept;  // NOLINT(google-explicit-constructor)
+  operator T&&() const&& noexcept {  // NOLINT(google-explicit-constructor)
+    contract_broken("AnyMember is for counting");
+  }
 };
 
 template <class S, std::size_t... I>
