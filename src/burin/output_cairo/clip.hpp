@@ -1,0 +1,23 @@
+#pragma once
+
+#include <burin/geom/box2.hpp>
+#include <burin/geom/vec2.hpp>
+#include <optional>
+#include <vector>
+
+namespace burin::output_cairo {
+
+struct Segment {
+  Vec2 from;
+  Vec2 to;
+};
+
+/// The part of the segment a b inside `box` (Liang and Barsky 1984); nothing when it misses the box. An end that lies
+/// inside comes back unchanged. Any finite points: nothing overflows.
+std::optional<Segment> clip_segment(Vec2 a, Vec2 b, const Box2& box);
+
+/// Cuts a closed polygon down to `box` (Sutherland and Hodgman 1974): winding numbers inside the box stay as they are,
+/// what lay outside runs along its border. Linear time; uses `spare` as working memory.
+void clip_polygon(std::vector<Vec2>& polygon, std::vector<Vec2>& spare, const Box2& box);
+
+}  // namespace burin::output_cairo

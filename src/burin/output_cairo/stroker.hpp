@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cairo.h>
+
+#include <burin/geom/box2.hpp>
+#include <burin/geom/vec2.hpp>
+#include <burin/path/sheet.hpp>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace burin::output_cairo {
+
+/// The largest page, pen width and reach of a stroke in device units. Cairo wraps silently at 2^23; a page with all
+/// that lies on and around it stays below half of that.
+inline constexpr double farthest = 1048576.0;
+
+/// How contours are stroked; lengths in device units.
+struct StrokeStyle {
+  double width = 1.0;
+  Cap cap = Cap::round;
+  Join join = Join::round;
+  double miter_limit = 4.0;
+  std::vector<double> dashes{};
+  double dash_offset = 0.0;
+};
+
+/// Strokes contours with Cairo, in pieces: one long path costs Cairo superlinear time and 640 bytes a segment.
+///
+/// Pieces lie over each other a little at a cut, so that it does not show; caps are drawn at the real ends only, every
+/// join is drawn whole. Dashed contours are cut only where a vertex falls between two dashes. What lies too far outside
+/// the page to show is cut off, so that no coordinate wraps (a dashed contour that is cut loses the join where it
+/// closes). Memory: one piece; a dashed contour without a vertex between two dashes: all of it.
+class Stroker {
+ public:
+  static constexpr std::size_t piece_segments = 500;
+
+  /// `page`: what can be seen, in device units.
+  Stroker(cairo_t* to, const Box2& page) : to_(to), page_(page), box_(page) {}
+
+  /// For the contours that follow. Between contours only.
+  void set_style(const StrokeStyle& style);
+
+  /// begin_contour add+ end_contour.
+  void begin_contour(bool closed);
+  /// The points times `device_per_mm` are the contour's next.
+  void add(std::span<const Vec2> points, double device_per_mm);
+  void end_contour();
+
+ private:
+  void start(Vec2 p);
+  void step(Vec2 p);
+  void step_across_border(Vec2 p, bool p_inside);
+  void cut();
+  void close();
+  enum class Tail : bool { cut, real_end };
+  void stroke_piece(Tail tail);
+  void stroke_piece_with_caps(bool at_front, bool at_back);
+  void stroke_dot(Vec2 at);
+  void path_through_piece();
+  bool dashed() const { return dash_period_ > 0.0; }
+  double dash_phase(double length) const;
+  bool between_dashes(double length) const;
+
+  cairo_t* to_;
+  Box2 page_;
+  Box2 box_;  ///< the page and as far around it as a stroke can reach
+  StrokeStyle style_;
+  double dash_period_ = 0.0;  ///< 0: a full line
+
+  std::vector<Vec2> piece_;  ///< not drawn yet, all inside box_; empty while the contour is outside
+  bool piece_starts_contour_ = false;
+  double piece_begin_ = 0.0;  ///< length of the contour up to the piece; kept for dashes only
+  bool closed_ = false;
+  bool started_ = false;
+  bool moved_ = false;   ///< the contour has two different points
+  bool whole_ = false;   ///< the piece is all there is of the contour
+  bool inside_ = false;  ///< last_ is in box_
+  Vec2 first_;
+  Vec2 second_;
+  Vec2 last_;
+  double length_ = 0.0;  ///< length of the contour up to last_; kept for dashes only
+};
+
+}  // namespace burin::output_cairo
