@@ -50,7 +50,7 @@ void Canvas::points(std::span<const Vec2> points) {
   if (head_.paint == Paint::stroke) {
     stroker_.add(points, device_per_mm_);
   } else {
-    for (const Vec2 p : points) polygon_.push_back(device_per_mm_ * p);
+    for (const Vec2 p : points) polygon_.push_back(device_point(p, device_per_mm_));
   }
 }
 

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <array>
 #include <burin/output_cairo/clip.hpp>
 #include <utility>
 
@@ -14,16 +14,6 @@ double fraction(double a, double b, double at) {
 /// (1 - t) a + t b: unlike a + t (b - a) it cannot overflow.
 double between(double a, double b, double t) {
   return (1.0 - t) * a + t * b;
-}
-
-/// Narrows [enter, leave] to where a..b lies in [low, high]; false when that is nowhere.
-bool narrow(double a, double b, double low, double high, double& enter, double& leave) {
-  if (std::max(a, b) < low || std::min(a, b) > high) return false;
-  if (a < low) enter = std::max(enter, fraction(a, b, low));
-  if (a > high) enter = std::max(enter, fraction(a, b, high));
-  if (b < low) leave = std::min(leave, fraction(a, b, low));
-  if (b > high) leave = std::min(leave, fraction(a, b, high));
-  return enter <= leave;
 }
 
 /// One border of a box: keeps the points whose coordinate `of` is not on the outer side of `at`.
@@ -42,6 +32,13 @@ struct Border {
   }
 };
 
+std::array<Border, 4> borders_of(const Box2& box) {
+  return {{{&Vec2::x, &Vec2::y, box.low.x, false},
+           {&Vec2::x, &Vec2::y, box.high.x, true},
+           {&Vec2::y, &Vec2::x, box.low.y, false},
+           {&Vec2::y, &Vec2::x, box.high.y, true}}};
+}
+
 void clip_at(const Border& border, const std::vector<Vec2>& polygon, std::vector<Vec2>& kept) {
   kept.clear();
   if (polygon.empty()) return;
@@ -59,23 +56,18 @@ void clip_at(const Border& border, const std::vector<Vec2>& polygon, std::vector
 }  // namespace
 
 std::optional<Segment> clip_segment(Vec2 a, Vec2 b, const Box2& box) {
-  double enter = 0.0;
-  double leave = 1.0;
-  if (!narrow(a.x, b.x, box.low.x, box.high.x, enter, leave)) return std::nullopt;
-  if (!narrow(a.y, b.y, box.low.y, box.high.y, enter, leave)) return std::nullopt;
-  const auto at = [&](double t) {
-    return Vec2{std::clamp(between(a.x, b.x, t), box.low.x, box.high.x),
-                std::clamp(between(a.y, b.y, t), box.low.y, box.high.y)};
-  };
-  return Segment{enter > 0.0 ? at(enter) : a, leave < 1.0 ? at(leave) : b};
+  for (const Border& border : borders_of(box)) {
+    const bool a_kept = border.keeps(a);
+    const bool b_kept = border.keeps(b);
+    if (!a_kept && !b_kept) return std::nullopt;
+    if (!a_kept) a = border.crossing(a, b);
+    if (!b_kept) b = border.crossing(a, b);
+  }
+  return Segment{a, b};
 }
 
 void clip_polygon(std::vector<Vec2>& polygon, std::vector<Vec2>& spare, const Box2& box) {
-  const Border borders[] = {{&Vec2::x, &Vec2::y, box.low.x, false},
-                            {&Vec2::x, &Vec2::y, box.high.x, true},
-                            {&Vec2::y, &Vec2::x, box.low.y, false},
-                            {&Vec2::y, &Vec2::x, box.high.y, true}};
-  for (const Border& border : borders) {
+  for (const Border& border : borders_of(box)) {
     clip_at(border, polygon, spare);
     std::swap(polygon, spare);
   }

@@ -16,8 +16,8 @@ namespace burin::output_cairo {
 namespace {
 
 constexpr double points_per_mm = 1.0 / mm_per_point;
-/// Viewers need not open longer pages (ISO 32000-1, annex C.2).
-constexpr double longest_page_points = 14400.0;
+/// 14400 points: viewers need not open longer pages (ISO 32000-1, annex C.2).
+constexpr double longest_page_mm = 200.0 * mm_per_inch;
 /// Cairo would write the time of the run.
 constexpr const char* fixed_date = "2000-01-01T00:00:00Z";
 
@@ -52,14 +52,13 @@ double tolerance_mm(const OutputOptions&) {
 }
 
 Result<Done> accepts(const Sheet& sheet, const OutputOptions&) {
-  const double longest_mm = longest_page_points * mm_per_point;
-  if (std::max(sheet.page.width_mm, sheet.page.height_mm) <= longest_mm) return Done{};
-  return Problem{
-      {},
-      fmt::format("a PDF page of {} x {} mm is more than viewers open; a side can have {} mm: make the page "
-                  "smaller, or write SVG",
-                  fixed_text(sheet.page.width_mm, 3), fixed_text(sheet.page.height_mm, 3), fixed_text(longest_mm, 3)),
-      Trouble::limit};
+  if (std::max(sheet.page.width_mm, sheet.page.height_mm) <= longest_page_mm) return Done{};
+  return Problem{{},
+                 fmt::format("a PDF page of {} x {} mm is more than viewers open; a side can have {} mm: make the page "
+                             "smaller, or write SVG",
+                             fixed_text(sheet.page.width_mm, 3), fixed_text(sheet.page.height_mm, 3),
+                             fixed_text(longest_page_mm, 3)),
+                 Trouble::limit};
 }
 
 std::unique_ptr<OutputSink> open(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options) {

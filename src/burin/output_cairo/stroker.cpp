@@ -31,13 +31,9 @@ cairo_line_join_t cairo_join(Join join) {
   return CAIRO_LINE_JOIN_ROUND;
 }
 
-/// How far the pieces of a cut contour lie over each other, in device units, where caps do not cover the cut.
+/// How far the pieces of a cut contour lie over each other, in device units: enough to hide the cut, and not more,
+/// since the soft edges there are drawn twice.
 constexpr double overlap = 2.0;
-
-/// With round caps and joins a stroke is the union of the discs along its contour: a cap at a cut adds nothing to it.
-bool is_union_of_discs(const StrokeStyle& style) {
-  return style.cap == Cap::round && style.join == Join::round;
-}
 
 /// How far from its points a stroke of this style can have ink.
 double ink_reach(const StrokeStyle& style) {
@@ -93,7 +89,7 @@ void Stroker::begin_contour(bool closed) {
 
 void Stroker::add(std::span<const Vec2> points, double device_per_mm) {
   for (const Vec2 point : points) {
-    const Vec2 p = device_per_mm * point;
+    const Vec2 p = device_point(point, device_per_mm);
     if (!started_) {
       start(p);
     } else if (p != last_) {
@@ -158,7 +154,7 @@ void Stroker::cut() {
   if (dashed() && !between_dashes(length_)) return;
   whole_ = false;
   stroke_piece(Tail::cut);
-  keep_tail(piece_, dashed() || is_union_of_discs(style_) ? 0.0 : overlap);
+  keep_tail(piece_, dashed() ? 0.0 : overlap);
   piece_starts_contour_ = false;
   piece_begin_ = length_;
 }
@@ -182,7 +178,7 @@ void Stroker::stroke_piece(Tail tail) {
   }
   const bool cap_at_front = piece_starts_contour_ && !closed_;
   const bool cap_at_back = tail == Tail::real_end && !closed_;
-  if (whole_ || dashed() || style_.cap == Cap::butt || is_union_of_discs(style_)) {
+  if (whole_ || dashed() || style_.cap == Cap::butt) {
     path_through_piece();
     if (closed_ && tail == Tail::real_end) cairo_close_path(to_);
     cairo_stroke(to_);
@@ -210,9 +206,13 @@ void Stroker::stroke_piece_with_caps(bool at_front, bool at_back) {
 void Stroker::stroke_dot(Vec2 at) {
   if (style_.cap == Cap::butt) return;
   cairo_set_dash(to_, nullptr, 0, 0.0);
-  cairo_move_to(to_, at.x, at.y);
-  cairo_line_to(to_, at.x, at.y);
+  // Cairo draws no square about a point: it would not know its direction.
+  const double half = style_.cap == Cap::square ? 0.5 * style_.width : 0.0;
+  cairo_set_line_cap(to_, style_.cap == Cap::square ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+  cairo_move_to(to_, at.x - half, at.y);
+  cairo_line_to(to_, at.x + half, at.y);
   cairo_stroke(to_);
+  cairo_set_line_cap(to_, cairo_cap(style_.cap));
 }
 
 void Stroker::path_through_piece() {
