@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/curve_summary.hpp"
+#include "support/json_value.hpp"
+
+/// The reference's vectors for the two-point scheme: curves.json, A_generators and A_rules.
+namespace burin::curves {
+namespace {
+
+using nlohmann::json;
+using testing::draw_points;
+using testing::expect_points;
+using testing::expect_summary;
+using testing::two_point;
+
+json generator_marks(const json& generator) {
+  json marks = json::array();
+  for (std::size_t j = 0; j < generator["alpha"].size(); ++j) {
+    marks.push_back({generator["alpha"][j], generator["beta"][j]});
+  }
+  return marks;
+}
+
+void expect_generator(const json& generator, json params) {
+  for (int level = 1; level <= 3; ++level) {
+    params["levels"] = level;
+    expect_points(draw_points(two_point(params.dump())), generator["edge_0_1"][static_cast<std::size_t>(level - 1)]);
+  }
+  params["levels"] = generator["high_level"];
+  expect_summary(draw_points(two_point(params.dump())), false, generator["high"]);
+}
+
+TEST(TwoPointVectors, TheNamedMotifsAreTheReferencesGenerators) {
+  const json generators = testing::reference("curves.json")["A_generators"];
+  const std::pair<const char*, const char*> names[] = {
+      {"koch", "koch"},         {"minkowski", "minkowski"},  {"dragon", "heighway"},
+      {"heighway", "heighway"}, {"sierpinski", "arrowhead"}, {"arrowhead", "arrowhead"},
+      {"levy", "levy"},         {"terdragon", "terdragon"}};
+  for (const auto& [name, reference_name] : names) {
+    SCOPED_TRACE(name);
+    expect_generator(generators[reference_name], {{"motif", name}});
+  }
+}
+
+TEST(TwoPointVectors, EveryGeneratorCanBeWrittenAsMarksWithFlags) {
+  const json generators = testing::reference("curves.json")["A_generators"];
+  ASSERT_EQ(generators.size(), 18U);
+  for (const auto& [name, generator] : generators.items()) {
+    SCOPED_TRACE(name);
+    expect_generator(
+        generator,
+        {{"motif",
+          {{"marks", generator_marks(generator)}, {"flip", generator["flip"]}, {"reverse", generator["rev"]}}}});
+  }
+}
+
+TEST(TwoPointVectors, TurtleWordsAreTheReferencesGenerators) {
+  const json generators = testing::reference("curves.json")["A_generators"];
+  expect_generator(generators["quad18"], {{"motif", {{"turtle", "F+FF-FF-F-F+F+FF-F-F+F+FF+FF-F"}}}});
+  expect_generator(generators["gosper"], {{"motif", {{"turtle", "A-B--B+A++AA+B-"}, {"angle", 60}, {"reverse", "B"}}}});
+  expect_generator(generators["pentadendrite"], {{"motif", {{"turtle", "F+F-F--F+F+F"}, {"angle", 72}}}});
+}
+
+TEST(TwoPointVectors, VerticesAreTheReferencesGenerators) {
+  const json generators = testing::reference("curves.json")["A_generators"];
+  expect_generator(generators["fret"], json::parse(R"({"motif": {"points":
+      [[0, 0], [0, 3], [3, 3], [3, 1], [2, 1], [2, 2], [1, 2], [1, 0], [4, 0]]}})"));
+  expect_generator(generators["peano9"], json::parse(R"({"motif": {"points":
+      [[0, 0], [1, 1], [0, 2], [1, 3], [2, 2], [1, 1], [2, 0], [3, 1], [2, 2], [3, 3]],
+      "flip": [0, 1, 0, 1, 0, 1, 0, 1, 0]}})"));
+}
+
+/// The sign rule of a case of A_rules in burin's words.
+std::string sign_word(const std::string& reference_word) {
+  if (reference_word == "const") return "constant";
+  if (reference_word == "alt_i") return "edge";
+  if (reference_word == "alt_m") return "level";
+  if (reference_word == "alt_mi") return "level-edge";
+  return "random";
+}
+
+json rule_motif(const json& rule) {
+  if (rule.contains("alpha_by_level")) {
+    json levels = json::array();
+    for (std::size_t l = 0; l < rule["alpha_by_level"].size(); ++l) {
+      levels.push_back(
+          {{"marks", generator_marks({{"alpha", rule["alpha_by_level"][l]}, {"beta", rule["beta_by_level"][l]}})}});
+    }
+    return {{"by_level", levels}};
+  }
+  json motif = {{"marks", generator_marks(rule)}};
+  if (rule.contains("absolute")) motif["beta"] = "absolute";
+  if (rule.contains("decay")) motif["decay"] = rule["decay"];
+  return motif;
+}
+
+TEST(TwoPointVectors, EverySignRuleIsTheReferences) {
+  const json rules = testing::reference("curves.json")["A_rules"];
+  ASSERT_EQ(rules.size(), 13U);
+  for (const auto& [name, rule] : rules.items()) {
+    SCOPED_TRACE(name);
+    json params = {{"base", {{"points", rule["start"]}, {"closed", rule["closed"]}}},
+                   {"motif", rule_motif(rule)},
+                   {"sign", sign_word(rule["sign"])}};
+    for (std::size_t level = 1; level <= rule["levels"].size(); ++level) {
+      params["levels"] = level;
+      expect_points(draw_points(two_point(params.dump()), 12345), rule["levels"][level - 1]);
+    }
+    params["levels"] = rule["high_level"];
+    expect_summary(draw_points(two_point(params.dump()), 12345), rule["closed"], rule["high"]);
+  }
+}
+
+}  // namespace
+}  // namespace burin::curves
