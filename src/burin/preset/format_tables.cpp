@@ -1,0 +1,19 @@
+#include <burin/preset/knobs.hpp>
+#include <burin/preset/load.hpp>
+#include <burin/preset/piece_values.hpp>
+
+namespace burin::preset {
+
+std::vector<FormatTable> format_tables() {
+  return {
+      {"about", "what the picture is called and who made it", params::field_infos<About>()},
+      {"page", "the paper and its margins", params::field_infos<PageSpec>()},
+      {"knob", "what can be turned with -D; $name stands for its value", params::field_infos<KnobSpec>()},
+      {"pen", "what draws; numbered in file order", params::field_infos<PenSpec>()},
+      {"slot", "a rectangle of the page with one fit for the layers in it", params::field_infos<SlotSpec>()},
+      {"layer", "a curve drawn with a pen in a slot; its 'curve' is a define's name or a table with 'family'",
+       params::field_infos<LayerStyle>()},
+  };
+}
+
+}  // namespace burin::preset

@@ -1,0 +1,224 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <burin/base/suggest.hpp>
+#include <burin/preset/layers.hpp>
+#include <burin/preset/piece_values.hpp>
+#include <set>
+#include <utility>
+
+namespace burin::preset {
+
+namespace {
+
+using params::Array;
+using params::ReadContext;
+using params::Table;
+using params::Value;
+
+const std::string* text_of(const Table* table, std::string_view key) {
+  const Value* value = table == nullptr ? nullptr : table->find(key);
+  return value == nullptr ? nullptr : value->text();
+}
+
+/// "layer" when the curve does not tell.
+std::string implied_name(const Value& layer) {
+  const Value* curve = layer.table() == nullptr ? nullptr : layer.table()->find("curve");
+  if (curve == nullptr) return "layer";
+  if (curve->text() != nullptr) return *curve->text();
+  for (const char* key : {"like", "family"}) {
+    if (const std::string* name = text_of(curve->table(), key)) return *name;
+  }
+  return "layer";
+}
+
+/// The known names that a layer may use, as suggestions need them.
+template <class Named>
+std::vector<std::string_view> names_of(const std::vector<Named>& all) {
+  std::vector<std::string_view> names;
+  for (const Named& each : all) names.push_back(each.name);
+  return names;
+}
+
+class LayerReader {
+ public:
+  LayerReader(const Piece& piece, const Table* defines, ReadContext& context)
+      : pens_(names_of(piece.pens)), slots_(names_of(piece.slots)), context_(context) {
+    if (defines == nullptr) return;
+    for (const params::Entry& entry : defines->entries) {
+      if (entry.value.table() != nullptr && entry.value.table()->find("family") != nullptr) {
+        curve_defines_.push_back(entry.key);
+      }
+    }
+  }
+
+  Layer read(const Value& value, const std::string& name) {
+    Layer layer;
+    layer.where = value.where;
+    const Table* table = value.table();
+    if (table == nullptr) {
+      params::report_kind(value, "a table: [[layer]]", context_);
+      return layer;
+    }
+    params::read_fields(*table, layer.style, "layer '" + name + "'", context_, {"curve"});
+    layer.style.name = name;
+    check_style(*table, layer.style, value.where);
+    if (layer.style.pen.of.empty()) layer.style.pen.of = {std::string(pens_.front())};
+    if (const Value* curve = table->find("curve")) {
+      read_curve(*curve, layer);
+    } else {
+      context_.report(value.where, fmt::format("layer '{}' draws nothing; give it a 'curve'", name));
+    }
+    return layer;
+  }
+
+ private:
+  bool is_known(const Value& name, std::string_view what, const std::vector<std::string_view>& known) {
+    const std::string* text = name.text();
+    if (text == nullptr || std::find(known.begin(), known.end(), *text) != known.end()) return true;
+    context_.report(name.where, known.empty() ? fmt::format("no {} '{}': the preset has no [{}s]", what, *text, what)
+                                              : fmt::format("no {} '{}'{}", what, *text, suggestion(*text, known)));
+    return false;
+  }
+
+  void check_pens(const Value& pen) {
+    is_known(pen, "pen", pens_);
+    const Value* of = pen.table() == nullptr ? nullptr : pen.table()->find("of");
+    if (of == nullptr || of->array() == nullptr) return;
+    for (const Value& each : *of->array()) is_known(each, "pen", pens_);
+  }
+
+  void check_style(const Table& table, const LayerStyle& style, const Where& where) {
+    if (const Value* pen = table.find("pen")) check_pens(*pen);
+    if (const Value* fill = table.find("fill")) is_known(*fill, "pen", pens_);
+    if (const Value* slot = table.find("slot")) is_known(*slot, "slot", slots_);
+    const Value* stroke = table.find("stroke");
+    if (stroke != nullptr && stroke->text() != nullptr && style.stroke != "none") {
+      context_.report(
+          stroke->where,
+          fmt::format("'stroke' is \"none\" or left out, not '{}'; the pen is chosen by 'pen'", style.stroke));
+    } else if (style.stroke == "none" && table.find("fill") == nullptr) {
+      context_.report(stroke == nullptr ? where : stroke->where, "without stroke and 'fill' the layer draws nothing");
+    }
+    if (const Value* dashes = table.find("dashes")) check_dashes(*dashes, style);
+  }
+
+  void check_dashes(const Value& value, const LayerStyle& style) {
+    constexpr std::size_t most_dashes = 64;
+    double total_mm = 0.0;
+    bool negative = false;
+    for (const params::Length& length : style.dashes) {
+      total_mm += length.mm;
+      negative = negative || length.mm < 0.0;
+    }
+    const bool read = value.array() != nullptr && style.dashes.size() == value.array()->size();
+    if (negative) {
+      context_.report(value.where, "dashes cannot be shorter than 0");
+    } else if (style.dashes.size() > most_dashes) {
+      context_.report(value.where, fmt::format("at most {} dashes are allowed", most_dashes));
+    } else if (read && !(total_mm > 0.0)) {
+      context_.report(value.where, "dashes need a length above 0; leave them out for a full line");
+    }
+  }
+
+  void read_curve(const Value& value, Layer& layer) {
+    const Value* curve = &value;
+    if (const std::string* name = value.text()) {
+      curve = context_.defined(*name);
+      if (curve == nullptr) return report_unknown_curve(*name, value.where);
+    }
+    const Table* table = curve->table();
+    if (table == nullptr) {
+      params::report_kind(*curve, "the name of a define or a table with 'family'", context_);
+      return;
+    }
+    const Value* family = table->find("family");
+    if (family == nullptr) {
+      context_.report(curve->where, fmt::format("a curve needs a 'family'{}", suggestion("", family_names())));
+      return;
+    }
+    if (family->text() == nullptr) {
+      params::report_kind(*family, "the name of a family", context_);
+      return;
+    }
+    layer.family = curves::find_family(*family->text());
+    if (layer.family == nullptr) {
+      context_.report(family->where,
+                      fmt::format("no family '{}'{}", *family->text(), suggestion(*family->text(), family_names())));
+      return;
+    }
+    if (std::optional<std::any> parameters = layer.family->read(*table, context_, {"family"})) {
+      layer.parameters = *std::move(parameters);
+    }
+  }
+
+  void report_unknown_curve(const std::string& name, const Where& where) {
+    if (curves::find_family(name) != nullptr) {
+      context_.report(where, fmt::format("'{}' is a family; write curve = {{ family = \"{}\" }}", name, name));
+      return;
+    }
+    context_.report(where, fmt::format("no curve '{}' in [define]{}", name, suggestion(name, curve_defines_)));
+  }
+
+  static std::vector<std::string_view> family_names() {
+    std::vector<std::string_view> names;
+    for (const curves::Family& family : curves::catalogue()) names.push_back(family.name);
+    return names;
+  }
+
+  std::vector<std::string_view> pens_;
+  std::vector<std::string_view> slots_;
+  std::vector<std::string_view> curve_defines_;
+  ReadContext& context_;
+};
+
+void report_repeated_names(const Array& layers, ReadContext& context) {
+  std::set<std::string> seen;
+  for (const Value& layer : layers) {
+    const std::string* name = text_of(layer.table(), "name");
+    if (name == nullptr || name->empty() || seen.insert(*name).second) continue;
+    context.report(layer.table()->find("name")->where,
+                   fmt::format("two layers are called '{}'; give each a name of its own", *name));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> layer_names(const Array& layers) {
+  std::set<std::string> taken;
+  std::vector<std::string> names;
+  for (const Value& layer : layers) {
+    const std::string* name = text_of(layer.table(), "name");
+    names.push_back(name == nullptr ? std::string{} : *name);
+    if (name != nullptr) taken.insert(*name);
+  }
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!names[i].empty()) continue;
+    const std::string base = implied_name(layers[i]);
+    names[i] = base;
+    for (int number = 2; !taken.insert(names[i]).second; ++number) names[i] = fmt::format("{} {}", base, number);
+  }
+  return names;
+}
+
+std::vector<Layer> read_layers(const Table& root, const std::vector<std::string>& names, const Where& file,
+                               const Piece& piece, ReadContext& context) {
+  const Value* section = root.find("layer");
+  const Array* array = section == nullptr ? nullptr : section->array();
+  if (section == nullptr || (array != nullptr && array->empty())) {
+    context.report(section == nullptr ? file : section->where, "a preset needs at least one [[layer]]");
+    return {};
+  }
+  if (array == nullptr) {
+    context.report(section->where, "each layer begins with [[layer]], in two pairs of brackets");
+    return {};
+  }
+  report_repeated_names(*array, context);
+  const Value* defines = root.find("define");
+  LayerReader reader(piece, defines == nullptr ? nullptr : defines->table(), context);
+  std::vector<Layer> read;
+  for (std::size_t i = 0; i < array->size(); ++i) read.push_back(reader.read((*array)[i], names[i]));
+  return read;
+}
+
+}  // namespace burin::preset

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <burin/params/read_context.hpp>
+#include <burin/preset/findings.hpp>
+#include <burin/preset/piece.hpp>
+#include <string>
+#include <vector>
+
+namespace burin::preset {
+
+/// What the layers of a preset are called: as they say, or like their curves: by the define's name or the family's,
+/// numbered when that is taken ("flake", "flake 2"). To be asked before `like` is resolved, which forgets the names.
+std::vector<std::string> layer_names(const params::Array& layers);
+
+/// Reads [[layer]], of which there must be one; `file` is where that is reported. Pens and slots must be those of the
+/// piece. Pre: one name for each layer.
+std::vector<Layer> read_layers(const params::Table& root, const std::vector<std::string>& names, const Where& file,
+                               const Piece& piece, params::ReadContext& context);
+
+}  // namespace burin::preset

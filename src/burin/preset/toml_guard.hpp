@@ -1,0 +1,15 @@
+#pragma once
+
+#include <burin/base/problem.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace burin::preset {
+
+/// What must not reach toml++: texts above longest_preset_bytes, bytes that are no UTF-8 text, control characters, runs
+/// of more than 64 dotted keys (its recursion over them has no limit) and brackets more than 64 deep. Nothing when the
+/// text may be parsed. O(length).
+std::optional<Problem> guard_toml(std::string_view text, const std::string& file);
+
+}  // namespace burin::preset
