@@ -158,7 +158,8 @@ Problem explain_table_header(const Trap& trap) {
 }
 
 Problem explain_key_value(const Trap& trap) {
-  if (trap.says("expected '='")) {
+  const bool has_sign = trap.line.substr(0, trap.at).find('=') != std::string_view::npos;
+  if (trap.says("expected '='") || !has_sign) {
     const std::string_view key = trimmed(trap.line.substr(0, trap.at));
     const std::string_view seen = trap.line.substr(std::min(trap.at, trap.line.size()));
     if (!seen.empty() && seen.front() == ':') return trap.here("write '=' between key and value, not ':'");
