@@ -1,0 +1,18 @@
+#include <algorithm>
+#include <array>
+#include <cli/command.hpp>
+
+namespace burin::cli {
+
+std::span<const Command> commands() {
+  static const std::array table{draw_command(), list_command(), show_command(), check_command(), new_command()};
+  return table;
+}
+
+const Command* find_command(std::string_view name) {
+  const std::span<const Command> all = commands();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace burin::cli

@@ -1,0 +1,26 @@
+#include <burin/path/decorators.hpp>
+#include <cli/draw_output.hpp>
+#include <cli/progress.hpp>
+#include <memory>
+
+namespace burin::cli {
+
+Result<OutputCounts> draw_output(preset::Plan plan, const OutputJob& job, AtomicFile& file, bool live) {
+  plan.set_origin(job.origin);
+  const std::unique_ptr<OutputSink> sink = job.back_end->open(file, plan.sheet(), job.options);
+  Counted counted(*sink);
+  {
+    Progress progress(counted, live && !file.is_terminal(), job.path, job.forecast.points);
+    // A sink that cannot write ends the run too; its reason is the file's, and finish() or commit() tells it.
+    static_cast<void>(plan.run(progress, job.run));
+  }
+  if (!job.run.stop.stop_requested() && !file.failed()) {
+    if (const Result<Done> finished = sink->finish(); !finished && !file.failed()) return finished.problems();
+  }
+  const OutputCounts counts{counted.point_count(), sink->skipped_points(), file.byte_count()};
+  if (job.run.stop.stop_requested()) return counts;
+  if (const Result<Done> committed = file.commit(); !committed) return committed.problems();
+  return counts;
+}
+
+}  // namespace burin::cli

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cli/draw_output.hpp>
+#include <cli/origin.hpp>
+#include <string>
+
+namespace burin::cli {
+
+/// "koch.svg: 1,234 points drawn of 5,678 asked, 9 skipped; 10,123 bytes", for one output.
+std::string output_report(const OutputJob& job, const OutputCounts& counts);
+
+/// Page, pens and seed in a few lines, the same for all outputs; `verbose` adds layers and data files.
+std::string piece_report(const preset::Plan& plan, const ReadPiece& piece, bool verbose);
+
+}  // namespace burin::cli

@@ -1,0 +1,219 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <burin/base/number_text.hpp>
+#include <burin/base/units.hpp>
+#include <charconv>
+#include <cli/draw_request.hpp>
+#include <cli/formats.hpp>
+#include <cli/output_target.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string_view>
+#include <system_error>
+
+namespace burin::cli {
+
+namespace {
+
+constexpr std::array option_rows{
+    OptionRow{"output", 'o', "FILE", "write here, in the format of the suffix; - is stdout", true},
+    OptionRow{"knob", 'D', "NAME=VALUE", "turn a knob of the preset; 'burin show PRESET' lists them", true},
+    OptionRow{"set", 0, "KEY=VALUE", "set any key: page.paper=oat, layer.NAME.opacity=0.5", true},
+    OptionRow{"seed", 0, "N|random", "seed of everything random"},
+    OptionRow{"page", 0, "SIZE", "a4, a3, letter ... or 30x40cm"},
+    OptionRow{"landscape", 0, "", "turn the page on its side"},
+    OptionRow{"margin", 0, "LENGTHS", "one to four lengths, clockwise from the top: \"20mm 15mm\""},
+    OptionRow{"format", 0, "FORMAT", "write this format, whatever the suffix says"},
+    OptionRow{"backend", 0, "NAME", "native or cairo; 'burin list formats' shows who writes what"},
+    OptionRow{"dpi", 0, "N", "PNG: dots per inch (300)"},
+    OptionRow{"size", 0, "Npx", "PNG: dots along the longer side, instead of --dpi"},
+    OptionRow{"decimals", 0, "N", "SVG: places after the point of a millimetre, 0 to 6 (3)"},
+    OptionRow{"paper", 0, "", "SVG, PDF: draw the paper's colour too, as PNG always does"},
+    OptionRow{"only", 0, "LAYER", "draw this layer only", true},
+    OptionRow{"skip", 0, "LAYER", "leave this layer out", true},
+    OptionRow{"all-points", 0, "", "draw points that the output is too coarse to show, too"},
+    OptionRow{"max-points", 0, "N", "refuse to draw more points than this (5e7)"},
+    OptionRow{"quiet", 'q', "", "errors only"},
+    OptionRow{"verbose", 'v', "", "tell more: layers, data files"},
+};
+
+/// Reads the options one after another and collects what is wrong with them.
+class Reader {
+ public:
+  explicit Reader(const Arguments& arguments) : arguments_(arguments) {}
+
+  template <class... Words>
+  void report(fmt::format_string<Words...> format, Words&&... words) {
+    problems_.push_back({{"burin draw"}, fmt::format(format, std::forward<Words>(words)...)});
+  }
+
+  void read_preset_word(DrawRequest& request) {
+    const std::vector<std::string>& words = arguments_.words();
+    if (words.empty()) {
+      report("say what to draw: a preset's name or file, or - for stdin; 'burin list' shows the presets");
+    } else if (words.size() > 1) {
+      report("one preset at a time, not {}: '{}'", words.size(), fmt::join(words, "', '"));
+    } else {
+      request.preset = words.front();
+    }
+  }
+
+  void number(std::string_view option, double low, double high, bool whole, double& target) {
+    const std::optional<std::string> text = arguments_.value(option);
+    if (!text) return;
+    const std::optional<double> number = parse_number(*text);
+    if (!number || *number < low || *number > high || (whole && *number != std::floor(*number))) {
+      report("--{} must be a {}number from {} to {}, not '{}'", option, whole ? "whole " : "", shortest_text(low),
+             shortest_text(high), *text);
+      return;
+    }
+    target = *number;
+  }
+
+  void read_size(DrawRequest& request) {
+    std::optional<std::string> text = arguments_.value("size");
+    if (!text) return;
+    if (arguments_.has("dpi")) report("--dpi and --size both set the resolution; give one of them");
+    const std::string written = *text;
+    if (text->size() > 2 && text->substr(text->size() - 2) == "px") text->resize(text->size() - 2);
+    const std::optional<double> pixels = parse_number(*text);
+    if (!pixels || *pixels < 1.0 || *pixels > 1e6 || *pixels != std::floor(*pixels)) {
+      report("--size must be a whole number of dots from 1 to 1000000 such as 2000px, not '{}'", written);
+      return;
+    }
+    request.longer_side_px = *pixels;
+  }
+
+  std::vector<std::pair<std::string, std::string>> pairs(std::string_view option, std::string_view shown) {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const std::string& text : arguments_.values(option)) {
+      const std::size_t equals = text.find('=');
+      if (equals == std::string::npos || equals == 0) {
+        report("{} needs a name and a value: {} name=value, not '{}'", shown, shown, text);
+      } else {
+        all.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+      }
+    }
+    return all;
+  }
+
+  void read_seed(DrawRequest& request) {
+    const std::optional<std::string> text = arguments_.value("seed");
+    if (!text) return;
+    if (*text == "random") {
+      request.overrides.seed = std::random_device{}();
+      return;
+    }
+    std::uint64_t seed = 0;
+    const bool negative = text->front() == '-';
+    const char* end = text->data() + text->size();
+    const auto [stopped, error] = std::from_chars(text->data() + (negative ? 1 : 0), end, seed);
+    constexpr std::uint64_t lowest = std::uint64_t{1} << 63U;
+    if (error != std::errc() || stopped != end || (negative && seed > lowest)) {
+      report("--seed must be a whole number of at most 64 bits or 'random', not '{}'", *text);
+      return;
+    }
+    request.overrides.seed = negative ? 0 - seed : seed;
+  }
+
+  void read_outputs(DrawRequest& request) {
+    const std::optional<std::string> format = arguments_.value("format");
+    const std::optional<std::string> back_end = arguments_.value("backend");
+    std::vector<std::string> paths = arguments_.values("output");
+    if (std::find(paths.begin(), paths.end(), "") != paths.end()) report("-o needs the name of a file, not ''");
+    if (paths.empty()) paths.emplace_back();
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      const std::string& path = paths[i];
+      if (std::find(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i), path) !=
+          paths.begin() + static_cast<std::ptrdiff_t>(i)) {
+        report("-o {} is given twice", path);
+        continue;
+      }
+      const bool suffix_tells = !format && !path.empty() && !named_descriptor(path);
+      const Result<std::string> name = suffix_tells ? format_of_suffix(path) : format.value_or("svg");
+      const Result<const BackEnd*> writer =
+          name ? choose_back_end(*name, back_end) : Result<const BackEnd*>(name.problems());
+      if (writer) {
+        request.outputs.push_back({path, *writer});
+      } else {
+        problems_.insert(problems_.end(), writer.problems().begin(), writer.problems().end());
+      }
+    }
+    if (problems_.empty()) refuse_idle_options(request);
+  }
+
+  Result<DrawRequest> result(DrawRequest request) {
+    if (!problems_.empty()) return std::move(problems_);
+    return request;
+  }
+
+ private:
+  /// An option that no output looks at is a misunderstanding.
+  void refuse_idle_options(const DrawRequest& request) {
+    for (const FormatOption& row : format_options()) {
+      const bool used = std::any_of(request.outputs.begin(), request.outputs.end(), [&](const RequestedOutput& output) {
+        return format_uses(output.back_end->format, row.option);
+      });
+      if (arguments_.has(row.option) && !used) {
+        report("--{} is for {}, and no such output is asked for; add -o NAME.{}", row.option,
+               fmt::join(row.formats, " and "), row.formats.front());
+      }
+    }
+  }
+
+  const Arguments& arguments_;
+  Problems problems_;
+};
+
+}  // namespace
+
+bool DrawRequest::writes_stdout() const {
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [](const RequestedOutput& output) { return output.path == "-" || output.path == "/dev/stdout"; });
+}
+
+std::span<const OptionRow> draw_options() {
+  return option_rows;
+}
+
+Result<DrawRequest> read_draw_request(const Arguments& arguments) {
+  Reader reader(arguments);
+  DrawRequest request;
+  reader.read_preset_word(request);
+  request.overrides.knobs = reader.pairs("knob", "-D");
+  request.overrides.keys = reader.pairs("set", "--set");
+  reader.read_seed(request);
+  request.overrides.page_size = arguments.value("page");
+  request.overrides.landscape = arguments.has("landscape");
+  request.overrides.margin = arguments.value("margin");
+  double decimals = request.decimals;
+  reader.number("decimals", 0.0, 6.0, true, decimals);
+  request.decimals = static_cast<int>(decimals);
+  reader.number("dpi", 1.0, 10000.0, false, request.dots_per_inch);
+  reader.number("max-points", 1.0, 1e18, false, request.max_points);
+  reader.read_size(request);
+  request.paper = arguments.has("paper");
+  request.all_points = arguments.has("all-points");
+  request.only = arguments.values("only");
+  request.skip = arguments.values("skip");
+  request.quiet = arguments.has("quiet");
+  request.verbose = arguments.has("verbose");
+  reader.read_outputs(request);
+  return reader.result(std::move(request));
+}
+
+OutputOptions output_options(const DrawRequest& request, const Page& page) {
+  OutputOptions options;
+  options.decimals = request.decimals;
+  options.paper = request.paper;
+  options.dots_per_mm = request.longer_side_px ? *request.longer_side_px / std::max(page.width_mm, page.height_mm)
+                                               : request.dots_per_inch / mm_per_inch;
+  return options;
+}
+
+}  // namespace burin::cli

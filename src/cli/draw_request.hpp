@@ -1,0 +1,47 @@
+#pragma once
+
+#include <burin/base/result.hpp>
+#include <burin/path/back_end.hpp>
+#include <burin/preset/load.hpp>
+#include <cli/options.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace burin::cli {
+
+/// One file to write. An empty path: the preset's name with the format as its suffix.
+struct RequestedOutput {
+  std::string path;
+  const BackEnd* back_end = nullptr;
+};
+
+/// What `burin draw` was asked for, checked as far as that goes without the preset.
+struct DrawRequest {
+  std::string preset;
+  std::vector<RequestedOutput> outputs;
+  preset::Overrides overrides;
+  int decimals = 3;
+  double dots_per_inch = 300.0;
+  std::optional<double> longer_side_px;  ///< instead of dots_per_inch
+  bool paper = false;
+  bool all_points = false;
+  double max_points = 5e7;
+  std::vector<std::string> only;
+  std::vector<std::string> skip;
+  bool quiet = false;
+  bool verbose = false;
+
+  bool writes_stdout() const;
+};
+
+std::span<const OptionRow> draw_options();
+
+/// Everything that is wrong with the command line at once.
+Result<DrawRequest> read_draw_request(const Arguments& arguments);
+
+/// The choices a back end looks at, for a page of this size.
+OutputOptions output_options(const DrawRequest& request, const Page& page);
+
+}  // namespace burin::cli

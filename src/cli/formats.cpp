@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <burin/base/suggest.hpp>
+#include <burin/output/back_ends.hpp>
+#include <cli/formats.hpp>
+#include <filesystem>
+#ifdef BURIN_HAS_CAIRO
+#include <burin/output_cairo/back_ends.hpp>
+#endif
+
+namespace burin::cli {
+
+namespace {
+
+#ifdef BURIN_HAS_CAIRO
+constexpr std::string_view build_note;
+#else
+constexpr std::string_view build_note = " (this burin was built without Cairo: no PDF and PNG)";
+#endif
+
+/// Cairo's finish is the better default where both write a format, but for SVG.
+std::string_view preferred_name(std::string_view format) {
+  return format == "pdf" || format == "png" ? "cairo" : "native";
+}
+
+std::vector<const BackEnd*> writers_of(std::string_view format) {
+  std::vector<const BackEnd*> writers = all_back_ends();
+  std::erase_if(writers, [&](const BackEnd* b) { return b->format != format; });
+  return writers;
+}
+
+}  // namespace
+
+std::vector<const BackEnd*> all_back_ends() {
+  std::vector<const BackEnd*> all;
+  for (const BackEnd& row : output::back_ends()) all.push_back(&row);
+#ifdef BURIN_HAS_CAIRO
+  for (const BackEnd& row : output_cairo::back_ends()) all.push_back(&row);
+#endif
+  return all;
+}
+
+std::vector<std::string_view> format_names() {
+  std::vector<std::string_view> names;
+  for (const BackEnd* row : all_back_ends()) {
+    if (std::find(names.begin(), names.end(), row->format) == names.end()) names.push_back(row->format);
+  }
+  return names;
+}
+
+Result<Done> check_format(std::string_view format) {
+  const std::vector<std::string_view> names = format_names();
+  if (std::find(names.begin(), names.end(), format) != names.end()) return Done{};
+  return Problem{{"burin draw"},
+                 fmt::format("there is no format '{}'; formats: {}{}", format, fmt::join(names, ", "), build_note)};
+}
+
+Result<const BackEnd*> choose_back_end(std::string_view format, const std::optional<std::string>& name) {
+  if (const Result<Done> known = check_format(format); !known) return known.problems();
+  const std::vector<const BackEnd*> writers = writers_of(format);
+  const std::string_view wanted = name ? std::string_view(*name) : preferred_name(format);
+  for (const BackEnd* row : writers) {
+    if (row->name == wanted) return row;
+  }
+  if (!name) return writers.front();
+  std::vector<std::string_view> names;
+  for (const BackEnd* row : writers) names.push_back(row->name);
+  return Problem{{"burin draw"},
+                 fmt::format("no back end '{}' writes {} in this version; back ends of {}: {}", *name, format, format,
+                             fmt::join(names, ", "))};
+}
+
+Result<std::string> format_of_suffix(const std::string& path) {
+  std::string suffix = std::filesystem::path(path).extension().string();
+  if (suffix.empty()) {
+    return Problem{{"burin draw"},
+                   fmt::format("'{}' has no suffix that tells its format; add one or --format: {}", path,
+                               fmt::join(format_names(), ", "))};
+  }
+  suffix.erase(0, 1);
+  for (char& c : suffix) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (check_format(suffix)) return suffix;
+  return Problem{{"burin draw"},
+                 fmt::format("'{}': '.{}' is no format that burin writes; formats: {}{}", path, suffix,
+                             fmt::join(format_names(), ", "), build_note)};
+}
+
+const std::vector<FormatOption>& format_options() {
+  static const std::vector<FormatOption> rows{
+      {"dpi", {"png"}}, {"size", {"png"}}, {"decimals", {"svg"}}, {"paper", {"svg", "pdf"}}};
+  return rows;
+}
+
+bool format_uses(std::string_view format, std::string_view option) {
+  for (const FormatOption& row : format_options()) {
+    if (row.option == option) return std::find(row.formats.begin(), row.formats.end(), format) != row.formats.end();
+  }
+  return true;
+}
+
+}  // namespace burin::cli

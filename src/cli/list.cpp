@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <burin/base/suggest.hpp>
+#include <burin/curves/family.hpp>
+#include <burin/path/colour.hpp>
+#include <burin/preset/load.hpp>
+#include <cli/command.hpp>
+#include <cli/file_io.hpp>
+#include <cli/formats.hpp>
+#include <cli/help.hpp>
+#include <cli/preset_library.hpp>
+#include <utility>
+#include <vector>
+
+namespace burin::cli {
+
+namespace {
+
+constexpr std::array examples{
+    Example{"burin list", "the shipped presets, with titles"},
+    Example{"burin list formats", "what burin can write"},
+};
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+/// What a preset says of itself; one that cannot be read is still listed, since the user may be looking for it.
+std::string preset_line(const ShippedPreset& preset) {
+  const Result<std::string> text = read_file(preset.path, preset.path, preset_limit_bytes);
+  if (!text) return "cannot be read";
+  const Result<preset::Summary> summary = preset::summarise({preset.path, *text});
+  if (!summary) return fmt::format("has problems; see burin check {}", preset.name);
+  const preset::About& about = summary->about;
+  return about.title + (about.title.empty() || about.summary.empty() ? "" : ": ") + about.summary;
+}
+
+std::string list_presets() {
+  Rows rows;
+  for (const ShippedPreset& preset : library_presets()) rows.emplace_back(preset.name, preset_line(preset));
+  if (!rows.empty()) return table_text(rows);
+  std::string text = "no presets found; looked in:\n";
+  for (const std::string& folder : library_folders()) text += "  " + folder + '\n';
+  return text;
+}
+
+std::string list_families() {
+  Rows rows;
+  for (const curves::Family& family : curves::catalogue()) rows.emplace_back(family.name, family.summary);
+  return table_text(rows);
+}
+
+std::string list_formats() {
+  Rows rows;
+  for (const BackEnd* row : all_back_ends()) {
+    const Result<const BackEnd*> standard = choose_back_end(row->format, std::nullopt);
+    const bool is_default = standard && *standard == row;
+    rows.emplace_back(std::string(row->format) + (is_default ? "" : fmt::format(" --backend {}", row->name)),
+                      row->summary);
+  }
+  return table_text(rows);
+}
+
+std::string list_colours() {
+  Rows rows;
+  for (const std::string_view name : colour_names()) {
+    const std::optional<Colour> colour = parse_colour(name);
+    rows.emplace_back(name, colour ? colour_text(*colour) : std::string());
+  }
+  return table_text(rows);
+}
+
+struct Topic {
+  std::string_view name;
+  std::string (*text)();
+};
+
+constexpr std::array topics{Topic{"presets", &list_presets}, Topic{"families", &list_families},
+                            Topic{"formats", &list_formats}, Topic{"colors", &list_colours}};
+
+ExitCode run(const Arguments& arguments, const Console& console) {
+  const std::vector<std::string>& words = arguments.words();
+  if (words.size() > 1) {
+    return console.fail_usage({Problem{{"burin list"}, "list one thing at a time"}}, "burin list");
+  }
+  const std::string wanted = words.empty() ? std::string(topics.front().name) : words.front();
+  std::vector<std::string_view> names;
+  for (const Topic& topic : topics) {
+    if (topic.name == wanted) return console.print(topic.text());
+    names.push_back(topic.name);
+  }
+  return console.fail_usage(
+      {Problem{{"burin list"}, fmt::format("there is no list of '{}'{}", wanted, suggestion(wanted, names))}},
+      "burin list");
+}
+
+}  // namespace
+
+Command list_command() {
+  return {"list",
+          "list presets, families, formats or colors",
+          "[presets|families|formats|colors]",
+          "Presets are looked up in the folders of $BURIN_PATH, in $XDG_DATA_HOME/burin/presets, and among those that "
+          "came with burin.",
+          {},
+          examples,
+          &run};
+}
+
+}  // namespace burin::cli

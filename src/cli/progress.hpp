@@ -1,0 +1,32 @@
+#pragma once
+
+#include <burin/path/decorators.hpp>
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace burin::cli {
+
+/// Passes a drawing on and, from half a second on, shows on stderr how far it is, ten times a second in one line. The
+/// line is erased at the end.
+class Progress final : public Decorator {
+ public:
+  /// `expected_points` may be infinite. `live` false: shows nothing.
+  Progress(PathSink& next, bool live, std::string what, double expected_points);
+  ~Progress() override;
+
+  Flow points(std::span<const Vec2> points) override;
+
+ private:
+  void show();
+
+  bool live_;
+  std::string what_;
+  double expected_points_;
+  std::uint64_t points_ = 0;
+  std::chrono::steady_clock::time_point next_show_;
+  bool shown_ = false;
+};
+
+}  // namespace burin::cli
