@@ -1,8 +1,17 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <burin/preset/findings.hpp>
-#include <tuple>
+#include <iterator>
 
 namespace burin::preset {
+
+namespace {
+
+/// More than anybody reads at once.
+constexpr std::size_t most_shown = 500;
+
+}  // namespace
 
 void Findings::report_and_hush(const Where& where, std::size_t length, std::string message) {
   certain_.push_back({where, std::move(message)});
@@ -10,37 +19,41 @@ void Findings::report_and_hush(const Where& where, std::size_t length, std::stri
 }
 
 void Findings::hush(const Where& where, std::size_t length) {
-  hushed_.push_back({where, where.column + static_cast<int>(length)});
+  int& end = hushed_[{where.file, where.line, where.column}];
+  end = std::max(end, where.column + static_cast<int>(length));
 }
 
 bool Findings::is_hushed(const Where& where) const {
-  return std::any_of(hushed_.begin(), hushed_.end(), [&](const Hushed& span) {
-    if (span.where.file != where.file || span.where.line != where.line) return false;
-    return where.line == 0 || (span.where.column <= where.column && where.column < span.end_column);
-  });
+  if (where.line == 0) return hushed_.contains({where.file, 0, 0});
+  const auto after = hushed_.upper_bound({where.file, where.line, where.column});
+  if (after == hushed_.begin()) return false;
+  const auto& [place, end] = *std::prev(after);
+  return std::get<0>(place) == where.file && std::get<1>(place) == where.line && where.column < end;
 }
 
 Problems Findings::sorted(const std::string& file) const {
   Problems all = certain_;
   std::copy_if(problems.begin(), problems.end(), std::back_inserter(all),
                [&](const Problem& problem) { return !is_hushed(problem.where); });
-  const auto rank = [&](const Where& where) {
-    if (where.file == file) return 1;
-    return where.line == 0 ? 0 : 2;
-  };
+  // Options keep the order in which they were read: their columns are places inside their words.
   const auto place = [&](const Problem& problem) {
     const Where& where = problem.where;
-    // The options keep the order in which they were given; their columns are places inside their words.
-    return std::tuple{rank(where.file == file || where.line > 0 ? where : Where{where.file}), where.line,
-                      where.line == 0 ? 0 : where.column};
+    const int rank = where.file == file ? 1 : where.line == 0 ? 0 : 2;
+    return std::tuple{rank, where.line, where.line == 0 ? 0 : where.column};
   };
   std::stable_sort(all.begin(), all.end(), [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
   Problems distinct;
   for (Problem& problem : all) {
-    const bool repeated = std::any_of(distinct.begin(), distinct.end(), [&](const Problem& said) {
-      return place(said) == place(problem) && said.where.file == problem.where.file && said.message == problem.message;
-    });
+    bool repeated = false;
+    for (auto said = distinct.rbegin(); said != distinct.rend() && place(*said) == place(problem); ++said) {
+      repeated = repeated || (said->where.file == problem.where.file && said->message == problem.message);
+    }
     if (!repeated) distinct.push_back(std::move(problem));
+  }
+  if (distinct.size() > most_shown) {
+    const std::size_t more = distinct.size() - most_shown;
+    distinct.resize(most_shown);
+    distinct.push_back({{file}, fmt::format("{} more problems follow these", more)});
   }
   return distinct;
 }

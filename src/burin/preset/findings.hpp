@@ -2,8 +2,9 @@
 
 #include <burin/base/problem.hpp>
 #include <cstddef>
+#include <map>
 #include <string>
-#include <vector>
+#include <tuple>
 
 namespace burin::preset {
 
@@ -25,19 +26,16 @@ class Findings {
   bool empty() const { return certain_.empty() && problems.empty(); }
 
   /// All of them without the hushed ones and repetitions: options first, then `file` as a whole and by position, then
-  /// other files.
+  /// other files. Of more than 500 the rest is only counted.
   Problems sorted(const std::string& file) const;
 
  private:
-  struct Hushed {
-    Where where;
-    int end_column = 0;
-  };
+  using Place = std::tuple<std::string, int, int>;  ///< file, line, column
 
   bool is_hushed(const Where& where) const;
 
   Problems certain_;
-  std::vector<Hushed> hushed_;
+  std::map<Place, int> hushed_;  ///< from its first column to the one behind its last
 };
 
 }  // namespace burin::preset

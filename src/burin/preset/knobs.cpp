@@ -336,13 +336,14 @@ std::vector<Knob> read_knobs(const Table& root, std::uint64_t seed, const Overri
       }
     }
   }
-  for (const auto& [name, text] : overrides.knobs) {
-    const Where where{fmt::format("-D {}={}", name, text)};
+  for (const auto& option : overrides.knobs) {
+    const std::string& name = option.first;
+    const Where where{fmt::format("-D {}={}", name, option.second)};
     const auto knob = std::find_if(knobs.begin(), knobs.end(), [&](const Knob& k) { return k.name == name; });
     if (knob == knobs.end()) {
       report_unknown(name, where, knobs, context);
     } else {
-      readers[static_cast<std::size_t>(knob - knobs.begin())].turn(text, where);
+      readers[static_cast<std::size_t>(knob - knobs.begin())].turn(option.second, where);
     }
   }
   return knobs;

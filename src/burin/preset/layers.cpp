@@ -4,6 +4,7 @@
 #include <burin/base/suggest.hpp>
 #include <burin/preset/layers.hpp>
 #include <burin/preset/piece_values.hpp>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -186,6 +187,7 @@ void report_repeated_names(const Array& layers, ReadContext& context) {
 
 std::vector<std::string> layer_names(const Array& layers) {
   std::set<std::string> taken;
+  std::map<std::string, int> last_numbers;
   std::vector<std::string> names;
   for (const Value& layer : layers) {
     const std::string* name = text_of(layer.table(), "name");
@@ -196,7 +198,8 @@ std::vector<std::string> layer_names(const Array& layers) {
     if (!names[i].empty()) continue;
     const std::string base = implied_name(layers[i]);
     names[i] = base;
-    for (int number = 2; !taken.insert(names[i]).second; ++number) names[i] = fmt::format("{} {}", base, number);
+    int& number = last_numbers[base];
+    while (!taken.insert(names[i]).second) names[i] = fmt::format("{} {}", base, ++number + 1);
   }
   return names;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <burin/base/random.hpp>
 
 #include "preset_text.hpp"
@@ -78,6 +79,19 @@ TEST(Hostile, ExtremeNumbersAreReportedNotClamped) {
   EXPECT_EQ(complaints("burin = 1\n[[layer]]\ncurve = { family = 'two-point', levels = 9223372036854775807 }"),
             "p.toml:3:42: error: 'levels': 9223372036854775807 is too large\n");
   EXPECT_EQ(piece_of("page.bleed = -0.0").page.bleed.mm, 0.0);
+}
+
+TEST(Hostile, ThousandsOfProblemsAreCountedInReasonableTime) {
+  std::string keys = "burin = 1\n";
+  for (int i = 0; i < 20'000; ++i) keys += "k" + std::to_string(i) + " = 1\n";
+  const std::string many = complaints(keys);
+  EXPECT_EQ(std::count(many.begin(), many.end(), '\n'), 501);
+  EXPECT_NE(many.find("p.toml: error: 19501 more problems follow these\n"), std::string::npos);
+  // One unknown knob in a list of them is told once for each place, and not once more by the list's reader.
+  const std::string list = complaints_in("define.x = [" + repeated("'$k', ", 30'000) + "]\nslots.a = { frame = [" +
+                                         repeated("'$k', ", 4) + "] }");
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 501);
+  EXPECT_NE(list.find("p.toml: error: 29504 more problems follow these\n"), std::string::npos);
 }
 
 /// Presets that differ from a right one by a few strokes of the pen: reading always ends, with a piece or with
