@@ -216,6 +216,7 @@ struct Piece {
   std::vector<NamedSlot> slots;          ///< in file order
   std::vector<Layer> layers;             ///< in file order, at least one
   std::vector<params::DataDigest> data;  ///< every data file that was read
+  bool seed_in_values = false;           ///< whether a random knob or $seed went into the values above
 };
 
 }  // namespace burin::preset

@@ -30,7 +30,9 @@ struct Plan::Step {
   std::uint64_t piece_seed = 0;
 
   DrawContext context(const Copy& copy, const RunOptions& options, const Page& page) const;
-  Flow draw(const Copy& copy, LayerId layer, PathSink& sink, const RunOptions& options, const Page& page) const;
+  /// `pens` is the layer's own choice, copied for this run: expressions are not shared between threads.
+  Flow draw(const Copy& copy, const PenChoice& pens, LayerId layer, PathSink& sink, const RunOptions& options,
+            const Page& page) const;
 };
 
 namespace {
@@ -120,7 +122,7 @@ DrawContext Plan::Step::context(const Copy& copy, const RunOptions& options, con
   return context;
 }
 
-Flow Plan::Step::draw(const Copy& copy, LayerId layer, PathSink& sink, const RunOptions& options,
+Flow Plan::Step::draw(const Copy& copy, const PenChoice& pens, LayerId layer, PathSink& sink, const RunOptions& options,
                       const Page& page) const {
   // From the generator: its band of the pen, the page, this layer's name on every path.
   const DrawContext drawn = context(copy, options, page);
@@ -129,7 +131,7 @@ Flow Plan::Step::draw(const Copy& copy, LayerId layer, PathSink& sink, const Run
                                                       : copy.model_from_model);
   Stoppable stoppable(mapped, options.stop);
   if (!band) return placed->layer.family->draw(placed->layer.parameters, drawn, stoppable);
-  PenBand banded(stoppable, placed->layer.style.pen, *band, copy, placed->frame, drawn.seed);
+  PenBand banded(stoppable, pens, *band, copy, placed->frame, drawn.seed);
   return placed->layer.family->draw(placed->layer.parameters, drawn, banded);
 }
 
@@ -185,6 +187,7 @@ Result<Plan> Plan::make(Piece piece) {
     }
   }
   if (!problems.empty()) return problems;
+  plan.seed_in_values_ = piece.seed_in_values;
   plan.sheet_ = std::move(sheet);
   plan.steps_ = std::move(steps);
   return plan;
@@ -234,8 +237,8 @@ Result<Forecast> Plan::check_size(const RunOptions& options, double max_points) 
     }
   }
   return Problem{costliest->layer.where,
-                 fmt::format("layer '{}' asks for {:.3g} points and would draw more than {:.3g}; lower '{}', or raise "
-                             "--max-points",
+                 fmt::format("layer '{}' asks for {:.3g} points and would draw more than {:.0f}; lower '{}', draw coarser "
+                             "(--decimals, --dpi) or raise --max-points",
                              costliest->layer.style.name, most, max_points, costliest->layer.family->cost_knob),
                  Trouble::limit,
                  {}};
@@ -245,8 +248,9 @@ Flow Plan::run(PathSink& sink, const RunOptions& options) const {
   for (std::size_t s = 0; s < steps_->size(); ++s) {
     if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
     const Step& step = (*steps_)[s];
+    const PenChoice pens = step.placed->layer.style.pen;
     for (const Copy& copy : step.placed->copies) {
-      if (step.draw(copy, static_cast<LayerId>(s), sink, options, sheet_->page) == Flow::stop) return Flow::stop;
+      if (step.draw(copy, pens, static_cast<LayerId>(s), sink, options, sheet_->page) == Flow::stop) return Flow::stop;
     }
   }
   return Flow::go;
@@ -254,7 +258,7 @@ Flow Plan::run(PathSink& sink, const RunOptions& options) const {
 
 bool Plan::uses_seed() const {
   constexpr std::size_t rand_variable = band_variables.size() - 1;
-  return std::any_of(steps_->begin(), steps_->end(), [](const Step& step) {
+  return seed_in_values_ || std::any_of(steps_->begin(), steps_->end(), [](const Step& step) {
     const Layer& layer = step.placed->layer;
     return layer.family->uses_seed(layer.parameters) || (step.band && layer.style.pen.by.uses(rand_variable));
   });

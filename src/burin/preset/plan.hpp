@@ -50,6 +50,7 @@ class Plan {
 
   std::shared_ptr<Sheet> sheet_;
   std::shared_ptr<const std::vector<Step>> steps_;
+  bool seed_in_values_ = false;
 };
 
 }  // namespace burin::preset
