@@ -244,7 +244,9 @@ class KnobReader {
 
   void set(const Value& value) {
     std::optional<Value> read = named(value);
-    if (read && in_range(*read) && is_choice(*read)) knob_.value = std::move(read);
+    if (!read || !in_range(*read) || !is_choice(*read)) return;
+    knob_.value = std::move(read);
+    knob_.drawn = false;
   }
 
   void draw(const Table& table, std::uint64_t seed) {
@@ -267,7 +269,9 @@ class KnobReader {
     } else {
       drawn.data = low == high ? low : std::min(low + u * (high - low), std::nextafter(high, low));
     }
-    if (in_range({where, low}) && in_range({where, high})) knob_.value = std::move(drawn);
+    if (!in_range({where, low}) || !in_range({where, high})) return;
+    knob_.value = std::move(drawn);
+    knob_.drawn = true;
   }
 
   Knob& knob_;

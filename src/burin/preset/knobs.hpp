@@ -53,6 +53,7 @@ struct Knob {
   KnobSpec spec;
   KnobKind kind = KnobKind::text;
   std::optional<params::Value> value;  ///< bool, whole number, number or text; nothing when it is wrong
+  bool drawn = false;                  ///< the value came from the seed
 
   KnobInfo info() const;
 };

@@ -106,14 +106,20 @@ void check_defines(const Table& root, Findings& findings) {
   findings.report(section->where, fmt::format("'define' is a table: [define], not {}", section->kind_name()));
 }
 
+/// The knobs of a preset, and whether the seed went into what they were put in.
+struct SetKnobs {
+  std::vector<Knob> knobs;
+  bool seed_was_used = false;
+};
+
 /// Sets the knobs and puts them in everywhere but in [knobs].
-std::vector<Knob> set_knobs(Reading& reading, std::uint64_t seed, const Overrides& overrides, ReadContext& context) {
+SetKnobs set_knobs(Reading& reading, std::uint64_t seed, const Overrides& overrides, ReadContext& context) {
   std::vector<Knob> knobs = read_knobs(reading.root, seed, overrides, context);
   Substitution substitution(knobs, seed, reading.findings);
   for (Entry& entry : reading.root.entries) {
     if (entry.key != "knobs") substitution.apply(entry.value);
   }
-  return knobs;
+  return {std::move(knobs), substitution.seed_was_used()};
 }
 
 Piece read_piece(Reading& reading, const Overrides& overrides, const ReadFile& read_file) {
@@ -126,7 +132,7 @@ Piece read_piece(Reading& reading, const Overrides& overrides, const ReadFile& r
   ReadContext context = reading.context(read_file);
   Piece piece;
   piece.seed = read_seed(root, overrides, findings);
-  set_knobs(reading, piece.seed, overrides, context);
+  piece.seed_in_values = set_knobs(reading, piece.seed, overrides, context).seed_was_used;
   const Value* layers = root.find("layer");
   const std::vector<std::string> names =
       layers == nullptr || layers->array() == nullptr ? std::vector<std::string>{} : layer_names(*layers->array());
@@ -167,7 +173,7 @@ Result<Summary> summarise(const Source& source) {
       return entry.key != "about" && entry.key != "knobs" && entry.key != "seed";
     });
     const std::uint64_t seed = read_seed(reading.root, {}, reading.findings);
-    for (const Knob& knob : set_knobs(reading, seed, {}, context)) summary.knobs.push_back(knob.info());
+    for (const Knob& knob : set_knobs(reading, seed, {}, context).knobs) summary.knobs.push_back(knob.info());
     summary.about = read_about(reading.root, context);
   }
   if (std::optional<Problems> problems = reading.trouble(text)) return *std::move(problems);

@@ -17,8 +17,8 @@ namespace burin::preset {
 struct RunOptions {
   Space space = Space::page;
   double tolerance_mm = 0.0;                      ///< what the output can show; 0: every point
-  std::function<bool(const SheetLayer&)> wanted;  ///< null: every layer
-  std::stop_token stop;
+  std::function<bool(const SheetLayer&)> wanted{};  ///< null: every layer
+  std::stop_token stop{};
   const Executor* executor = nullptr;
 };
 

@@ -34,13 +34,18 @@ std::vector<GridCell> grid_cells(const SlotSpec& slot, const SlotFrame& frame) {
   return cells;
 }
 
-/// Without a grid a mirror flips the picture, in a grid every other column or row of it.
-Affine2 mirror_of(const SlotSpec& slot, const GridCell& cell) {
-  const bool in_grid = slot.grid.columns * slot.grid.rows > 1;
+/// The flip of every picture, before it is fitted: a slot without a grid.
+Affine2 mirror_before_fit(const SlotSpec& slot) {
+  if (slot.grid.columns * slot.grid.rows > 1) return {};
+  return scaling(slot.mirror == Mirror::x || slot.mirror == Mirror::xy ? -1.0 : 1.0,
+                 slot.mirror == Mirror::y || slot.mirror == Mirror::xy ? -1.0 : 1.0);
+}
+
+/// The flip of a whole cell with what lies in it: every other column or row of a grid.
+Affine2 mirror_of_cell(const SlotSpec& slot, const GridCell& cell) {
   const bool x = slot.mirror == Mirror::x || slot.mirror == Mirror::xy;
   const bool y = slot.mirror == Mirror::y || slot.mirror == Mirror::xy;
-  return scaling(x && (!in_grid || cell.column % 2 == 1) ? -1.0 : 1.0,
-                 y && (!in_grid || cell.row % 2 == 1) ? -1.0 : 1.0);
+  return scaling(x && cell.column % 2 == 1 ? -1.0 : 1.0, y && cell.row % 2 == 1 ? -1.0 : 1.0);
 }
 
 /// Millimetres in one model unit so that a box of this size fits a place of that size; 1 for a single point.
@@ -85,7 +90,7 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
   const double cell_mm = slot.cell ? slot.cell->mm : 0.25 * std::min(cell_width, cell_height);
   const std::optional<Tiling> tiling = tile(slot.symmetry.name, cell_width, cell_height, cell_mm);
   const std::vector<Affine2> turned = rosette(slot.symmetry.name).value_or(std::vector{Affine2{}});
-  const Affine2 rotated = rotation_degrees(slot.rotate);
+  const Affine2 upright = mirror_before_fit(slot) * rotation_degrees(slot.rotate);
 
   // The box of everything that shares the place, mirrored and turned but not yet scaled.
   Box2 content;
@@ -95,8 +100,7 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
   } else {
     for (std::size_t cell = 0; cell < cells.size(); ++cell) {
       for (const Affine2& turn : turned) {
-        const std::optional<Box2> box =
-            content_box(mirror_of(slot, cells[cell]) * rotated * turn, static_cast<int>(cell));
+        const std::optional<Box2> box = content_box(upright * turn, static_cast<int>(cell));
         if (!box) return no_box();
         content.add(*box);
       }
@@ -124,11 +128,11 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
   const Affine2 place_from_model = place_from_content(content, place, slot.align, scale);
   std::vector<Copy> copies;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    const Affine2 slot_from_cell = translation(cells[cell].box.center());
-    const Affine2 upright = mirror_of(slot, cells[cell]) * rotated;
+    const Affine2 mirror = mirror_of_cell(slot, cells[cell]);
+    const Affine2 slot_from_cell = translation(cells[cell].box.center()) * mirror;
     for (const Affine2& tile_map : tiles) {
       for (const Affine2& turn : turned) {
-        copies.push_back({slot_from_cell * tile_map * place_from_model * upright * turn, upright * turn,
+        copies.push_back({slot_from_cell * tile_map * place_from_model * upright * turn, mirror * upright * turn,
                           cells[cell].column, cells[cell].row, static_cast<int>(copies.size()),
                           static_cast<int>(cell)});
       }

@@ -64,9 +64,15 @@ void Substitution::apply(Value& value) {
 
 /// What the name stands for in a text; nothing after reporting an unknown one, and silently for a knob that is wrong.
 std::optional<std::string> Substitution::text_of(std::string_view name, const Where& where) {
-  if (name == "seed") return std::to_string(seed_);
+  if (name == "seed") {
+    seed_was_used_ = true;
+    return std::to_string(seed_);
+  }
   const auto knob = std::find_if(knobs_.begin(), knobs_.end(), [&](const Knob& k) { return k.name == name; });
-  if (knob != knobs_.end()) return knob->value ? std::optional(operand_text(*knob->value)) : std::nullopt;
+  if (knob != knobs_.end()) {
+    seed_was_used_ = seed_was_used_ || knob->drawn;
+    return knob->value ? std::optional(operand_text(*knob->value)) : std::nullopt;
+  }
   std::vector<std::string_view> names{"seed"};
   for (const Knob& each : knobs_) names.push_back(each.name);
   findings_.report_and_hush(where, 1, fmt::format("no knob '{}'{}", name, suggestion(name, names)));

@@ -20,6 +20,9 @@ class Substitution {
   /// In every text of the tree. Knobs that are unknown are reported, their texts and those of wrong knobs hushed.
   void apply(params::Value& value);
 
+  /// Whether $seed or the value of a drawn knob was put in anywhere.
+  bool seed_was_used() const { return seed_was_used_; }
+
  private:
   std::optional<std::string> text_of(std::string_view name, const Where& where);
   void apply_text(params::Value& value);
@@ -27,6 +30,7 @@ class Substitution {
   const std::vector<Knob>& knobs_;
   std::uint64_t seed_;
   Findings& findings_;
+  bool seed_was_used_ = false;
   std::size_t bytes_left_ = std::size_t{1} << 22U;  ///< how much text all substitutions together may make
 };
 

@@ -1,13 +1,11 @@
-#include <burin/preset/plan.hpp>
-
-#include <cmath>
-#include <string>
-
 #include <gtest/gtest.h>
 
 #include <burin/path/decorators.hpp>
 #include <burin/path/recording.hpp>
 #include <burin/preset/load.hpp>
+#include <burin/preset/plan.hpp>
+#include <cmath>
+#include <string>
 
 namespace burin::preset {
 namespace {
@@ -37,7 +35,9 @@ constexpr const char* square_page = "page = { size = \"100x100mm\", margin = \"1
 constexpr const char* thin_pen = "pens = { ink = { color = \"black\", width = \"2mm\" } }\n";
 
 /// A page of 100 x 100 mm with margins of 10 mm and a pen of 2 mm, then `rest`.
-std::string piece(const std::string& rest) { return square_page + std::string(thin_pen) + rest; }
+std::string piece(const std::string& rest) {
+  return square_page + std::string(thin_pen) + rest;
+}
 
 const std::string koch = "[[layer]]\ncurve = { family = \"two-point\", levels = 4 }\n";
 
@@ -64,9 +64,9 @@ TEST(Plan, YRunsDownOnThePageAndUpInTheModel) {
 }
 
 TEST(Plan, ASlotHasOneFitForAllItsLayers) {
-  const Recording drawn = run(plan_of(piece(
-      "[[layer]]\ncurve = { family = \"two-point\", levels = 0 }\n"
-      "[[layer]]\ncurve = { family = \"two-point\", levels = 0, base = { points = [[1, 0], [2, 0]] } }\n")));
+  const Recording drawn = run(plan_of(
+      piece("[[layer]]\ncurve = { family = \"two-point\", levels = 0 }\n"
+            "[[layer]]\ncurve = { family = \"two-point\", levels = 0, base = { points = [[1, 0], [2, 0]] } }\n")));
   ASSERT_EQ(drawn.paths().size(), 2U);
   EXPECT_NEAR(drawn.all_points()[0].x, 11, 1e-12);
   EXPECT_NEAR(drawn.all_points()[1].x, 50, 1e-12);
@@ -75,10 +75,12 @@ TEST(Plan, ASlotHasOneFitForAllItsLayers) {
 }
 
 TEST(Plan, FillsComeUnderTheirStrokes) {
-  const Plan plan = plan_of(
-      square_page + std::string("[pens]\nink = { color = \"black\" }\nwash = { color = \"red\" }\n") +
-      "[[layer]]\ncurve = { family = \"two-point\", base = \"square\", levels = 0 }\nfill = \"wash\"\nrule = \"evenodd\"\n"
-      "[[layer]]\ncurve = { family = \"two-point\", base = \"square\", levels = 0 }\nfill = \"wash\"\nstroke = \"none\"\n");
+  const Plan plan =
+      plan_of(square_page + std::string("[pens]\nink = { color = \"black\" }\nwash = { color = \"red\" }\n") +
+              "[[layer]]\ncurve = { family = \"two-point\", base = \"square\", levels = 0 }\nfill = \"wash\"\nrule = "
+              "\"evenodd\"\n"
+              "[[layer]]\ncurve = { family = \"two-point\", base = \"square\", levels = 0 }\nfill = \"wash\"\nstroke = "
+              "\"none\"\n");
   ASSERT_EQ(plan.sheet().layers.size(), 3U);
   EXPECT_EQ(plan.sheet().layers[0].paint, Paint::fill_evenodd);
   EXPECT_EQ(plan.sheet().layers[0].pen, 1U);
@@ -103,7 +105,8 @@ TEST(Plan, BandsSplitALayerByPenAndLoseNothing) {
     }
     return sum;
   };
-  const Plan banded = plan_of(square_page + pens + koch + "pen = { by = \"pr\", at = [20], of = [\"ink\", \"red\"] }\n");
+  const Plan banded =
+      plan_of(square_page + pens + koch + "pen = { by = \"pr\", at = [20], of = [\"ink\", \"red\"] }\n");
   ASSERT_EQ(banded.sheet().layers.size(), 2U);
   EXPECT_EQ(layer_label(banded.sheet(), 0), "1 ink 0.3");
   EXPECT_EQ(layer_label(banded.sheet(), 1), "2 red 0.3");
@@ -114,13 +117,15 @@ TEST(Plan, BandsSplitALayerByPenAndLoseNothing) {
 }
 
 TEST(Plan, CopiesOfAGridHaveTheirOwnSeedsAndSymmetricOnesShareThem) {
-  const std::string random = "[[layer]]\nslot = \"s\"\ncurve = { family = \"two-point\", levels = 3, sign = \"random\" }\n";
+  const std::string random =
+      "[[layer]]\nslot = \"s\"\ncurve = { family = \"two-point\", levels = 3, sign = \"random\" }\n";
   const Recording grid = run(plan_of(piece("[slots]\ns = { grid = [2, 1] }\n" + random)), {.space = Space::model});
   const std::vector<Vec2>& points = grid.all_points();
   const std::size_t half = points.size() / 2;
   EXPECT_NE(std::vector(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(half)),
             std::vector(points.begin() + static_cast<std::ptrdiff_t>(half), points.end()));
-  const Recording rosette = run(plan_of(piece("[slots]\ns = { symmetry = \"c2\" }\n" + random)), {.space = Space::model});
+  const Recording rosette =
+      run(plan_of(piece("[slots]\ns = { symmetry = \"c2\" }\n" + random)), {.space = Space::model});
   for (std::size_t i = 0; i < half; ++i) {
     EXPECT_NEAR(rosette.all_points()[i].x, -rosette.all_points()[i + half].x, 1e-12);
     EXPECT_NEAR(rosette.all_points()[i].y, -rosette.all_points()[i + half].y, 1e-12);
@@ -129,7 +134,9 @@ TEST(Plan, CopiesOfAGridHaveTheirOwnSeedsAndSymmetricOnesShareThem) {
 
 TEST(Plan, ALayersSeedChangesItAlone) {
   const std::string layer = "[[layer]]\ncurve = { family = \"two-point\", levels = 3, sign = \"random\" }\n";
-  const auto lengths = [&](const std::string& second) { return run(plan_of(piece(layer + layer + second)), {.space = Space::model}).all_points(); };
+  const auto lengths = [&](const std::string& second) {
+    return run(plan_of(piece(layer + layer + second)), {.space = Space::model}).all_points();
+  };
   const std::vector<Vec2> same = lengths("");
   const std::vector<Vec2> mixed = lengths("seed = 5\n");
   const std::size_t half = same.size() / 2;
@@ -142,7 +149,9 @@ TEST(Plan, TheSeedChangesThePictureAndNothingElseDoes) {
   const std::string random = piece("[[layer]]\ncurve = { family = \"two-point\", levels = 3, sign = \"random\" }\n");
   EXPECT_TRUE(plan_of(random).uses_seed());
   EXPECT_FALSE(plan_of(piece(koch)).uses_seed());
-  EXPECT_TRUE(plan_of(piece("[knobs]\nturn = { random = [0, 90] }\n[slots]\ns = { rotate = \"$turn\" }\n" + koch + "slot = \"s\"\n")).uses_seed());
+  EXPECT_TRUE(plan_of(piece("[knobs]\nturn = { random = [0, 90] }\n[slots]\ns = { rotate = \"$turn\" }\n" + koch +
+                            "slot = \"s\"\n"))
+                  .uses_seed());
   const auto drawn = [&](std::uint64_t seed) {
     Overrides overrides;
     overrides.seed = seed;
@@ -179,8 +188,8 @@ TEST(Plan, TooMuchIsRefusedBeforeTheWork) {
 }
 
 TEST(Plan, ACurveWithoutBoundsIsRefusedWithItsKnob) {
-  const Result<Plan> plan = try_plan(piece(
-      "[[layer]]\ncurve = { family = \"two-point\", levels = 60, motif = { marks = [[0.5, \"0.1*rand\"]] } }\n"));
+  const Result<Plan> plan = try_plan(
+      piece("[[layer]]\ncurve = { family = \"two-point\", levels = 60, motif = { marks = [[0.5, \"0.1*rand\"]] } }\n"));
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.problems().front().trouble, Trouble::limit);
   EXPECT_NE(plan.problems().front().message.find("lower 'levels'"), std::string::npos);
@@ -200,11 +209,13 @@ TEST(Plan, AStopEndsItEarly) {
 }
 
 TEST(Plan, ThePenShrinksTheFitOfItsSlotAlone) {
-  const Plan plan = plan_of(square_page + std::string(
-      "[pens]\nink = { color = \"black\", width = \"1mm\" }\nbroad = { color = \"black\", width = \"4mm\" }\n"
-      "[slots]\nleft = { at = \"0 0 50% 100%\" }\nright = { at = \"50% 0 50% 100%\" }\n"
-      "[[layer]]\nslot = \"left\"\ncurve = { family = \"two-point\", levels = 0 }\n"
-      "[[layer]]\nslot = \"right\"\npen = \"broad\"\ncurve = { family = \"two-point\", levels = 0 }\n"));
+  const Plan plan = plan_of(
+      square_page +
+      std::string(
+          "[pens]\nink = { color = \"black\", width = \"1mm\" }\nbroad = { color = \"black\", width = \"4mm\" }\n"
+          "[slots]\nleft = { at = \"0 0 50% 100%\" }\nright = { at = \"50% 0 50% 100%\" }\n"
+          "[[layer]]\nslot = \"left\"\ncurve = { family = \"two-point\", levels = 0 }\n"
+          "[[layer]]\nslot = \"right\"\npen = \"broad\"\ncurve = { family = \"two-point\", levels = 0 }\n"));
   const std::vector<Vec2> points = run(plan).all_points();
   EXPECT_NEAR(points[0].x, 10.5, 1e-12);
   EXPECT_NEAR(points[1].x, 49.5, 1e-12);
