@@ -236,12 +236,13 @@ Result<Forecast> Plan::check_size(const RunOptions& options, double max_points) 
       costliest = &placed;
     }
   }
-  return Problem{costliest->layer.where,
-                 fmt::format("layer '{}' asks for {:.3g} points and would draw more than {:.0f}; lower '{}', draw coarser "
-                             "(--decimals, --dpi) or raise --max-points",
-                             costliest->layer.style.name, most, max_points, costliest->layer.family->cost_knob),
-                 Trouble::limit,
-                 {}};
+  return Problem{
+      costliest->layer.where,
+      fmt::format("layer '{}' asks for {:.3g} points and would draw more than {:.0f}; lower '{}', draw coarser "
+                  "(--decimals, --dpi) or raise --max-points",
+                  costliest->layer.style.name, most, max_points, costliest->layer.family->cost_knob),
+      Trouble::limit,
+      {}};
 }
 
 Flow Plan::run(PathSink& sink, const RunOptions& options) const {
@@ -259,9 +260,9 @@ Flow Plan::run(PathSink& sink, const RunOptions& options) const {
 bool Plan::uses_seed() const {
   constexpr std::size_t rand_variable = band_variables.size() - 1;
   return seed_in_values_ || std::any_of(steps_->begin(), steps_->end(), [](const Step& step) {
-    const Layer& layer = step.placed->layer;
-    return layer.family->uses_seed(layer.parameters) || (step.band && layer.style.pen.by.uses(rand_variable));
-  });
+           const Layer& layer = step.placed->layer;
+           return layer.family->uses_seed(layer.parameters) || (step.band && layer.style.pen.by.uses(rand_variable));
+         });
 }
 
 }  // namespace burin::preset

@@ -16,7 +16,7 @@ namespace burin::preset {
 /// How a plan is run, once for each output.
 struct RunOptions {
   Space space = Space::page;
-  double tolerance_mm = 0.0;                      ///< what the output can show; 0: every point
+  double tolerance_mm = 0.0;                        ///< what the output can show; 0: every point
   std::function<bool(const SheetLayer&)> wanted{};  ///< null: every layer
   std::stop_token stop{};
   const Executor* executor = nullptr;

@@ -70,6 +70,10 @@ Problem no_box() {
 
 constexpr std::size_t most_copies = 1'000'000;
 
+Problem too_many_copies() {
+  return {{}, "its slot would hold too many copies; use a larger 'cell' or a smaller 'grid'", Trouble::limit, {}};
+}
+
 }  // namespace
 
 SlotFrame slot_frame(const PageSpec& page, const SlotSpec& slot) {
@@ -88,6 +92,8 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
   const double cell_width = cells.front().box.width();
   const double cell_height = cells.front().box.height();
   const double cell_mm = slot.cell ? slot.cell->mm : 0.25 * std::min(cell_width, cell_height);
+  const bool tiled = is_symmetry(slot.symmetry.name) && !rosette(slot.symmetry.name);
+  if (tiled && cell_width / cell_mm * std::max(1.0, cell_height / cell_mm) > most_cells) return too_many_copies();
   const std::optional<Tiling> tiling = tile(slot.symmetry.name, cell_width, cell_height, cell_mm);
   const std::vector<Affine2> turned = rosette(slot.symmetry.name).value_or(std::vector{Affine2{}});
   const Affine2 upright = mirror_before_fit(slot) * rotation_degrees(slot.rotate);
@@ -116,13 +122,7 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
                    {}};
   }
   const std::vector<Affine2> tiles = tiling ? tiling->copies : std::vector{Affine2{}};
-  if (cells.size() * tiles.size() * turned.size() > most_copies) {
-    return Problem{
-        {},
-        fmt::format("its slot would hold more than {} copies; use a larger 'cell' or a smaller 'grid'", most_copies),
-        Trouble::limit,
-        {}};
-  }
+  if (cells.size() * tiles.size() * turned.size() > most_copies) return too_many_copies();
 
   const double scale = slot.scale ? slot.scale->mm : fitting_scale(content, place.width(), place.height());
   const Affine2 place_from_model = place_from_content(content, place, slot.align, scale);

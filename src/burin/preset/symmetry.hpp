@@ -20,8 +20,11 @@ struct Tiling {
   std::vector<Affine2> copies;  ///< of that drawing
 };
 
+/// More cells than this are not laid out.
+inline constexpr double most_cells = 100'000.0;
+
 /// As many whole cells of side `cell_mm` as fit into width x height, centred; friezes repeat from left to right and are
-/// as high as the rectangle. Nothing for other names; no copies when not one cell fits.
+/// as high as the rectangle. Nothing for other names; no copies when not one cell fits. Pre: at most `most_cells` fit.
 std::optional<Tiling> tile(std::string_view name, double width_mm, double height_mm, double cell_mm);
 
 /// Whether rosette or tile knows the name.
