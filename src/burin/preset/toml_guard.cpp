@@ -4,13 +4,14 @@
 #include <burin/preset/toml_guard.hpp>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace burin::preset {
 
 namespace {
 
 constexpr int most_dots = 64;
-constexpr int deepest_bracket = 64;
+constexpr int deepest_nesting = 64;
 
 Where place_of(std::string_view text, const std::string& file, std::size_t offset) {
   Where where{file, 1, 1};
@@ -84,8 +85,9 @@ std::size_t skip_quiet(std::string_view text, std::size_t at) {
 }
 
 std::optional<Problem> refuse_depth(std::string_view text, const std::string& file) {
-  int dots = 0;
+  int dots = 0;  // since the last key or value began
   int depth = 0;
+  std::vector<int> open;  // what each open bracket adds to the depth: itself and the dots of its key
   for (std::size_t at = 0; at < text.size();) {
     if (const std::size_t end = skip_quiet(text, at); end > at) {
       at = end;
@@ -95,11 +97,18 @@ std::optional<Problem> refuse_depth(std::string_view text, const std::string& fi
     if (c == '.' && ++dots > most_dots) {
       return Problem{place_of(text, file, at), fmt::format("a key of more than {} parts", most_dots)};
     }
-    if (c == ',' || c == '=' || c == '\n' || c == '[' || c == '{') dots = 0;
-    if ((c == '[' || c == '{') && ++depth > deepest_bracket) {
-      return Problem{place_of(text, file, at), fmt::format("brackets more than {} deep", deepest_bracket)};
+    if (c == '[' || c == '{') {
+      open.push_back(1 + dots);
+      depth += open.back();
+      if (depth > deepest_nesting) {
+        return Problem{place_of(text, file, at), fmt::format("tables and lists more than {} deep", deepest_nesting)};
+      }
     }
-    if ((c == ']' || c == '}') && depth > 0) --depth;
+    if ((c == ']' || c == '}') && !open.empty()) {
+      depth -= open.back();
+      open.pop_back();
+    }
+    if (c == ',' || c == '\n' || c == '[' || c == '{') dots = 0;
     ++at;
   }
   return std::nullopt;

@@ -29,13 +29,13 @@ TEST(Hostile, DotsInTextAndCommentsAreNoKeys) {
 }
 
 TEST(Hostile, DeepBracketsAreRefused) {
-  EXPECT_EQ(complaints("x = " + repeated("[", 100'000)), "p.toml:1:69: error: brackets more than 64 deep\n");
-  EXPECT_EQ(complaints("x = " + repeated("{a=", 80'000)), "p.toml:1:197: error: brackets more than 64 deep\n");
-  // As deep as may be, by both ways together.
-  std::string nested = "x = ";
-  for (int i = 0; i < 60; ++i) nested += "{" + repeated("a.", 60) + "a = ";
-  EXPECT_EQ(complaints_in(nested + "1" + repeated("}", 60)),
-            "p.toml:2:1: error: unknown key 'x' in the preset; known: burin, seed, about, page, knobs, pens, define, "
+  EXPECT_EQ(complaints("x = " + repeated("[", 100'000)), "p.toml:1:69: error: tables and lists more than 64 deep\n");
+  EXPECT_EQ(complaints("x = " + repeated("{a=", 80'000)), "p.toml:1:197: error: tables and lists more than 64 deep\n");
+  // Dots and brackets together go as deep.
+  EXPECT_EQ(complaints("x = {a.a.a = " + repeated("{a.a.a = ", 40) + "1" + repeated("}", 41)),
+            "p.toml:1:203: error: tables and lists more than 64 deep\n");
+  EXPECT_EQ(complaints_in("[x" + repeated(".a", 60) + "]\ny = " + repeated("{a = ", 60) + "1.5" + repeated("}", 60)),
+            "p.toml:2:2: error: unknown key 'x' in the preset; known: burin, seed, about, page, knobs, pens, define, "
             "slots, layer\n");
 }
 
