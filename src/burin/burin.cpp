@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <burin/burin.hpp>
 #include <memory>
 #include <span>
 #include <utility>
+
+#include <burin/burin.hpp>
 
 namespace burin {
 

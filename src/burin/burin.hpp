@@ -1,13 +1,14 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include <burin/base/bytes.hpp>
 #include <burin/base/result.hpp>
 #include <burin/output/back_ends.hpp>
 #include <burin/path/back_end.hpp>
 #include <burin/preset/load.hpp>
 #include <burin/preset/plan.hpp>
-#include <string>
-#include <string_view>
 
 /// The front door of the library: from the text of a preset to a drawing.
 ///

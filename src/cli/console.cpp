@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cli/console.hpp>
 #include <cli/file_io.hpp>
 #include <cstdlib>
+#include <unistd.h>
+
+#include <fmt/format.h>
 
 namespace burin::cli {
 

@@ -1,9 +1,5 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/base/suggest.hpp>
-#include <burin/preset/plan.hpp>
 #include <cli/command.hpp>
 #include <cli/draw_output.hpp>
 #include <cli/draw_report.hpp>
@@ -13,6 +9,11 @@
 #include <memory>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <burin/preset/plan.hpp>
 
 namespace burin::cli {
 

@@ -1,7 +1,8 @@
-#include <burin/path/decorators.hpp>
 #include <cli/draw_output.hpp>
 #include <cli/progress.hpp>
 #include <memory>
+
+#include <burin/path/decorators.hpp>
 
 namespace burin::cli {
 

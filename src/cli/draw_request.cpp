@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/base/number_text.hpp>
-#include <burin/base/units.hpp>
 #include <charconv>
 #include <cli/draw_request.hpp>
 #include <cli/formats.hpp>
@@ -15,6 +9,13 @@
 #include <random>
 #include <string_view>
 #include <system_error>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <burin/base/number_text.hpp>
+#include <burin/base/units.hpp>
 
 namespace burin::cli {
 

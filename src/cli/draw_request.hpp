@@ -1,13 +1,14 @@
 #pragma once
 
-#include <burin/base/result.hpp>
-#include <burin/path/back_end.hpp>
-#include <burin/preset/load.hpp>
 #include <cli/options.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include <burin/base/result.hpp>
+#include <burin/path/back_end.hpp>
+#include <burin/preset/load.hpp>
 
 namespace burin::cli {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/base/bytes.hpp>
-#include <burin/base/result.hpp>
 #include <cstddef>
 #include <string>
 #include <string_view>
+
+#include <burin/base/bytes.hpp>
+#include <burin/base/result.hpp>
 
 namespace burin::cli {
 

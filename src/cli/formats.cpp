@@ -1,11 +1,12 @@
+#include <algorithm>
+#include <cli/formats.hpp>
+#include <filesystem>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <burin/base/suggest.hpp>
 #include <burin/output/back_ends.hpp>
-#include <cli/formats.hpp>
-#include <filesystem>
 #ifdef BURIN_HAS_CAIRO
 #include <burin/output_cairo/back_ends.hpp>
 #endif

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/base/result.hpp>
-#include <burin/path/back_end.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/base/result.hpp>
+#include <burin/path/back_end.hpp>
 
 namespace burin::cli {
 

@@ -1,7 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cli/help.hpp>
+
+#include <fmt/format.h>
 
 namespace burin::cli {
 

@@ -1,7 +1,6 @@
+#include <cli/interrupt.hpp>
 #include <pthread.h>
 #include <unistd.h>
-
-#include <cli/interrupt.hpp>
 #include <utility>
 
 namespace burin::cli {

@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
 #include <array>
-#include <burin/base/suggest.hpp>
-#include <burin/curves/family.hpp>
-#include <burin/path/colour.hpp>
-#include <burin/preset/load.hpp>
 #include <cli/command.hpp>
 #include <cli/file_io.hpp>
 #include <cli/formats.hpp>
@@ -12,6 +6,13 @@
 #include <cli/preset_library.hpp>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <burin/curves/family.hpp>
+#include <burin/path/colour.hpp>
+#include <burin/preset/load.hpp>
 
 namespace burin::cli {
 

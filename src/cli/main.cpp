@@ -1,18 +1,19 @@
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <burin/base/suggest.hpp>
 #include <cli/command.hpp>
 #include <cli/help.hpp>
 #include <cli/preset_library.hpp>
 #include <csignal>
 #include <exception>
+#include <fcntl.h>
 #include <new>
 #include <string>
 #include <string_view>
+#include <unistd.h>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
 
 namespace burin::cli {
 

@@ -1,13 +1,14 @@
-#include <fmt/format.h>
-
 #include <array>
-#include <burin/preset/load.hpp>
 #include <cli/atomic_file.hpp>
 #include <cli/command.hpp>
 #include <cli/file_io.hpp>
 #include <cli/preset_library.hpp>
 #include <filesystem>
 #include <system_error>
+
+#include <fmt/format.h>
+
+#include <burin/preset/load.hpp>
 
 namespace burin::cli {
 

@@ -1,9 +1,10 @@
+#include <algorithm>
+#include <cli/options.hpp>
+
+#include <boost/program_options.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <boost/program_options.hpp>
 #include <burin/base/suggest.hpp>
-#include <cli/options.hpp>
 
 namespace burin::cli {
 

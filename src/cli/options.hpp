@@ -1,12 +1,13 @@
 #pragma once
 
-#include <burin/base/result.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <burin/base/result.hpp>
 
 namespace burin::cli {
 

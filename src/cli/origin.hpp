@@ -1,13 +1,14 @@
 #pragma once
 
-#include <burin/params/read_context.hpp>
-#include <burin/preset/piece.hpp>
 #include <cli/draw_request.hpp>
 #include <cli/preset_library.hpp>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/params/read_context.hpp>
+#include <burin/preset/piece.hpp>
 
 namespace burin::cli {
 

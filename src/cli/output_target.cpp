@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -9,7 +5,11 @@
 #include <cli/output_target.hpp>
 #include <filesystem>
 #include <string_view>
+#include <sys/stat.h>
 #include <system_error>
+#include <unistd.h>
+
+#include <fmt/format.h>
 
 namespace burin::cli {
 

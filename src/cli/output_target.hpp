@@ -1,12 +1,12 @@
 #pragma once
 
-#include <sys/types.h>
-
-#include <burin/base/result.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <sys/types.h>
+
+#include <burin/base/result.hpp>
 
 namespace burin::cli {
 

@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <burin/base/suggest.hpp>
 #include <cli/file_io.hpp>
 #include <cli/preset_library.hpp>
 #include <cstdlib>
@@ -10,6 +6,11 @@
 #include <map>
 #include <optional>
 #include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <burin/base/suggest.hpp>
 
 namespace burin::cli {
 

@@ -1,9 +1,9 @@
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <cli/file_io.hpp>
 #include <cli/progress.hpp>
+#include <unistd.h>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace burin::cli {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/path/decorators.hpp>
 #include <chrono>
 #include <cstdint>
 #include <span>
 #include <string>
+
+#include <burin/path/decorators.hpp>
 
 namespace burin::cli {
 

@@ -1,14 +1,15 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/base/suggest.hpp>
-#include <burin/curves/family.hpp>
-#include <burin/preset/load.hpp>
 #include <cli/command.hpp>
 #include <cli/help.hpp>
 #include <cli/preset_library.hpp>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <burin/curves/family.hpp>
+#include <burin/preset/load.hpp>
 
 namespace burin::cli {
 

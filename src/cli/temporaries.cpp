@@ -1,16 +1,16 @@
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <charconv>
 #include <cli/temporaries.hpp>
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <optional>
 #include <string_view>
+#include <sys/file.h>
 #include <system_error>
+#include <unistd.h>
+
+#include <fmt/format.h>
 
 namespace burin::cli {
 

@@ -1,9 +1,9 @@
-#include <gtest/gtest.h>
+#include <cli/atomic_file.hpp>
 #include <sys/resource.h>
 #include <sys/stat.h>
-
-#include <cli/atomic_file.hpp>
 #include <thread>
+
+#include <gtest/gtest.h>
 
 #include "cli/tool.hpp"
 

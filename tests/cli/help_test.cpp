@@ -1,8 +1,8 @@
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <cli/command.hpp>
 #include <sstream>
+
+#include <gtest/gtest.h>
 
 #include "cli/tool.hpp"
 

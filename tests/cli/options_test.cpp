@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cli/options.hpp>
+
+#include <gtest/gtest.h>
 
 namespace burin::cli {
 namespace {

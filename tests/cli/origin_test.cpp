@@ -1,8 +1,9 @@
+#include <cli/origin.hpp>
+
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
 
 #include <burin/base/random.hpp>
-#include <cli/origin.hpp>
 
 namespace burin::cli {
 namespace {

@@ -1,5 +1,6 @@
-#include <burin/burin.hpp>
 #include <iostream>
+
+#include <burin/burin.hpp>
 
 int main() {
   const burin::preset::Source snowflake{"snowflake.toml", R"(burin = 1

@@ -1,6 +1,7 @@
-#include <burin/burin.hpp>
 #include <cstddef>
 #include <cstdint>
+
+#include <burin/burin.hpp>
 
 /// Any bytes as a preset: problems or a plan; a plan that is not too big is drawn.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

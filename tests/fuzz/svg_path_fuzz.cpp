@@ -1,7 +1,8 @@
-#include <burin/base/check.hpp>
-#include <burin/data/svg_path.hpp>
 #include <cstddef>
 #include <cstdint>
+
+#include <burin/base/check.hpp>
+#include <burin/data/svg_path.hpp>
 
 /// Any bytes as path data: a result has finite points only, a problem an offset inside the data.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -1,10 +1,11 @@
 #include "support/curve_summary.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <burin/path/decorators.hpp>
-#include <cmath>
 
 namespace burin::testing {
 

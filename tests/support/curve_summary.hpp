@@ -1,10 +1,12 @@
 #pragma once
 
-#include <burin/curves/two_point/two_point.hpp>
-#include <burin/path/recording.hpp>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <burin/curves/two_point/two_point.hpp>
+#include <burin/path/recording.hpp>
 
 namespace burin::testing {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <burin/base/bytes.hpp>
 #include <cstddef>
 #include <string>
 #include <string_view>
+
+#include <burin/base/bytes.hpp>
 
 namespace burin::test {
 

@@ -1,9 +1,10 @@
 #include "support/json_value.hpp"
 
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include <burin/expr/expression.hpp>
-#include <fstream>
 
 namespace burin::testing {
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <any>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
 #include <burin/curves/family.hpp>
 #include <burin/curves/two_point/two_point.hpp>
 #include <burin/params/value.hpp>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
 
 /// Parameters written as JSON, so that a test says what it draws in one line.
 namespace burin::testing {

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/path/path_sink.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
+
+#include <burin/path/path_sink.hpp>
 
 namespace burin::test {
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <burin/output/svg_writer.hpp>
 #include <string>
 #include <vector>
+
+#include <burin/output/svg_writer.hpp>
 
 #include "support/random_paths.hpp"
 #include "support/svg_reader.hpp"

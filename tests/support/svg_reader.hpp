@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/geom/vec2.hpp>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/geom/vec2.hpp>
 
 /// Small strict readers that tests hold written files against. All throw std::runtime_error on what is not well formed.
 namespace burin::test {

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
+#include <string>
+
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
 #include <burin/path/path_sink.hpp>
-#include <cstddef>
-#include <limits>
-#include <string>
 
 namespace burin::test {
 

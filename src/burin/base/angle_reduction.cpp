@@ -1,8 +1,9 @@
 #include <array>
 #include <bit>
-#include <burin/base/angle_reduction.hpp>
 #include <cstddef>
 #include <cstdint>
+
+#include <burin/base/angle_reduction.hpp>
 
 namespace burin::math {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <burin/base/result.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
+
+#include <burin/base/result.hpp>
 
 namespace burin {
 

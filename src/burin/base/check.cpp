@@ -1,6 +1,7 @@
-#include <burin/base/check.hpp>
 #include <cstdio>
 #include <cstdlib>
+
+#include <burin/base/check.hpp>
 
 namespace burin {
 

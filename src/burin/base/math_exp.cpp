@@ -1,12 +1,13 @@
 #include <array>
 #include <bit>
-#include <burin/base/double_double.hpp>
-#include <burin/base/math.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
+
+#include <burin/base/double_double.hpp>
+#include <burin/base/math.hpp>
 
 namespace burin::math {
 

@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <burin/base/double_double.hpp>
-#include <burin/base/math.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
+
+#include <burin/base/double_double.hpp>
+#include <burin/base/math.hpp>
 
 namespace burin::math {
 

@@ -1,8 +1,9 @@
+#include <cmath>
+#include <limits>
+
 #include <burin/base/angle_reduction.hpp>
 #include <burin/base/double_double.hpp>
 #include <burin/base/math.hpp>
-#include <cmath>
-#include <limits>
 
 namespace burin::math {
 

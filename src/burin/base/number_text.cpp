@@ -1,9 +1,10 @@
 #include <array>
-#include <burin/base/check.hpp>
-#include <burin/base/number_text.hpp>
 #include <charconv>
 #include <cmath>
 #include <system_error>
+
+#include <burin/base/check.hpp>
+#include <burin/base/number_text.hpp>
 
 namespace burin {
 

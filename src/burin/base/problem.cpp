@@ -1,7 +1,8 @@
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include <burin/base/problem.hpp>
-#include <string_view>
 
 namespace burin {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/base/check.hpp>
-#include <burin/base/problem.hpp>
 #include <string>
 #include <utility>
 #include <variant>
+
+#include <burin/base/check.hpp>
+#include <burin/base/problem.hpp>
 
 namespace burin {
 

@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <burin/base/sha256.hpp>
 #include <cstddef>
 #include <cstdint>
+
+#include <burin/base/sha256.hpp>
 
 namespace burin {
 

@@ -1,10 +1,11 @@
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <burin/base/suggest.hpp>
-#include <cstddef>
-#include <vector>
 
 namespace burin {
 

@@ -1,6 +1,7 @@
 #include <array>
-#include <burin/base/units.hpp>
 #include <utility>
+
+#include <burin/base/units.hpp>
 
 namespace burin {
 

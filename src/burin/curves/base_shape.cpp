@@ -1,13 +1,14 @@
+#include <array>
+#include <optional>
+#include <utility>
+
 #include <fmt/format.h>
 
-#include <array>
 #include <burin/base/math.hpp>
 #include <burin/base/number_text.hpp>
 #include <burin/curves/base_shape.hpp>
 #include <burin/data/csv.hpp>
 #include <burin/data/svg_path.hpp>
-#include <optional>
-#include <utility>
 
 namespace burin::curves {
 

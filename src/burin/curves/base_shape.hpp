@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/geom/affine2.hpp>
-#include <burin/geom/vec2.hpp>
-#include <burin/params/fields.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include <burin/geom/affine2.hpp>
+#include <burin/geom/vec2.hpp>
+#include <burin/params/fields.hpp>
 
 namespace burin::curves {
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+
 #include <burin/curves/family.hpp>
 #include <burin/curves/two_point/two_point.hpp>
 

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <any>
-#include <burin/params/fields.hpp>
-#include <burin/path/draw_context.hpp>
-#include <burin/path/path_sink.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include <burin/params/fields.hpp>
+#include <burin/path/draw_context.hpp>
+#include <burin/path/path_sink.hpp>
 
 namespace burin::curves {
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <array>
-#include <burin/path/path_sink.hpp>
 #include <cstddef>
 #include <span>
+
+#include <burin/path/path_sink.hpp>
 
 namespace burin::curves {
 

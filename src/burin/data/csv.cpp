@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <burin/base/number_text.hpp>
-#include <burin/data/csv.hpp>
 #include <cstddef>
 #include <optional>
 #include <utility>
+
+#include <burin/base/number_text.hpp>
+#include <burin/data/csv.hpp>
 
 namespace burin::data {
 namespace {

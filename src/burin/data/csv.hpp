@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/base/result.hpp>
-#include <burin/geom/vec2.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/base/result.hpp>
+#include <burin/geom/vec2.hpp>
 
 namespace burin::data {
 

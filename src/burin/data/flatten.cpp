@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <cmath>
+
 #include <burin/base/math.hpp>
 #include <burin/data/flatten.hpp>
-#include <cmath>
 
 namespace burin::data {
 namespace {

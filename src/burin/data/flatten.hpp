@@ -1,7 +1,8 @@
 #pragma once
 
-#include <burin/geom/vec2.hpp>
 #include <vector>
+
+#include <burin/geom/vec2.hpp>
 
 /// Curves of SVG paths as chords. Each function appends the points after the curve's start to `points`, the last one
 /// exactly the curve's end. No chord is farther than `tolerance` from its curve, unless that would take more than

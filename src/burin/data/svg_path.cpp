@@ -1,5 +1,3 @@
-#include <burin/data/flatten.hpp>
-#include <burin/data/svg_path.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -7,6 +5,9 @@
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include <burin/data/flatten.hpp>
+#include <burin/data/svg_path.hpp>
 
 namespace burin::data {
 namespace {

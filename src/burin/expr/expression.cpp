@@ -1,17 +1,18 @@
-#include <muParserBase.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/base/check.hpp>
-#include <burin/base/math.hpp>
-#include <burin/expr/expression.hpp>
-#include <burin/expr/functions.hpp>
-#include <burin/expr/scan.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <system_error>
 #include <utility>
+
+#include <muParserBase.h>
+
+#include <burin/base/check.hpp>
+#include <burin/base/math.hpp>
+#include <burin/expr/expression.hpp>
+#include <burin/expr/functions.hpp>
+#include <burin/expr/scan.hpp>
 
 namespace burin::expr {
 

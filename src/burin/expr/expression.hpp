@@ -1,12 +1,13 @@
 #pragma once
 
-#include <burin/base/result.hpp>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/base/result.hpp>
 
 /// Arithmetic written in presets: Z = f(x, y), numbers such as "sqrt(3)/6".
 ///

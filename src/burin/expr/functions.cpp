@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+
 #include <burin/base/math.hpp>
 #include <burin/expr/functions.hpp>
 #include <burin/expr/noise.hpp>
-#include <cmath>
 
 namespace burin::expr {
 

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <burin/base/random.hpp>
-#include <burin/expr/noise.hpp>
 #include <cmath>
 #include <cstdint>
 #include <utility>
+
+#include <burin/base/random.hpp>
+#include <burin/expr/noise.hpp>
 
 namespace burin::expr {
 

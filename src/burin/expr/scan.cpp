@@ -1,15 +1,16 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/base/suggest.hpp>
-#include <burin/expr/functions.hpp>
-#include <burin/expr/scan.hpp>
 #include <charconv>
 #include <cstddef>
 #include <optional>
 #include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <burin/expr/functions.hpp>
+#include <burin/expr/scan.hpp>
 
 namespace burin::expr {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/base/result.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/base/result.hpp>
 
 namespace burin::expr {
 

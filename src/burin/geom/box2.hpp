@@ -1,9 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
+
 #include <burin/geom/affine2.hpp>
 #include <burin/geom/vec2.hpp>
-#include <limits>
 
 namespace burin {
 

@@ -1,4 +1,5 @@
 #include <array>
+
 #include <burin/output/back_ends.hpp>
 #include <burin/output/csv_writer.hpp>
 #include <burin/output/dump_writer.hpp>

@@ -1,5 +1,6 @@
-#include <burin/output/byte_writer.hpp>
 #include <cstring>
+
+#include <burin/output/byte_writer.hpp>
 
 namespace burin::output {
 

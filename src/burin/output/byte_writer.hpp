@@ -1,9 +1,10 @@
 #pragma once
 
-#include <burin/base/bytes.hpp>
-#include <burin/base/result.hpp>
 #include <memory>
 #include <string_view>
+
+#include <burin/base/bytes.hpp>
+#include <burin/base/result.hpp>
 
 namespace burin::output {
 

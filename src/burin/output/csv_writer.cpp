@@ -1,11 +1,12 @@
 #include <array>
-#include <burin/base/check.hpp>
-#include <burin/output/byte_writer.hpp>
-#include <burin/output/csv_writer.hpp>
 #include <charconv>
 #include <map>
 #include <string>
 #include <string_view>
+
+#include <burin/base/check.hpp>
+#include <burin/output/byte_writer.hpp>
+#include <burin/output/csv_writer.hpp>
 
 namespace burin::output {
 

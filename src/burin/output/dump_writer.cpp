@@ -1,18 +1,19 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
 #include <burin/base/check.hpp>
 #include <burin/base/number_text.hpp>
 #include <burin/base/sha256.hpp>
 #include <burin/output/byte_writer.hpp>
 #include <burin/output/dump_writer.hpp>
 #include <burin/output/fixed_point.hpp>
-#include <charconv>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace burin::output {
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+
 #include <burin/base/check.hpp>
 #include <burin/output/fixed_point.hpp>
 

@@ -2,11 +2,12 @@
 
 #include <array>
 #include <bit>
-#include <burin/base/problem.hpp>
-#include <burin/geom/vec2.hpp>
 #include <cmath>
 #include <cstdint>
 #include <span>
+
+#include <burin/base/problem.hpp>
+#include <burin/geom/vec2.hpp>
 
 namespace burin::output {
 

@@ -1,5 +1,6 @@
-#include <burin/output/path_data.hpp>
 #include <cstring>
+
+#include <burin/output/path_data.hpp>
 
 namespace burin::output {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/output/fixed_point.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include <burin/output/fixed_point.hpp>
 
 namespace burin::output {
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <burin/path/back_end.hpp>
 #include <cstddef>
 #include <string>
+
+#include <burin/path/back_end.hpp>
 
 /// The parts of an SVG file around its paths.
 namespace burin::output {

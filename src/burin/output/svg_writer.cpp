@@ -1,13 +1,14 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
 #include <burin/base/check.hpp>
 #include <burin/output/byte_writer.hpp>
 #include <burin/output/path_data.hpp>
 #include <burin/output/svg_document.hpp>
 #include <burin/output/svg_writer.hpp>
-#include <optional>
 
 namespace burin::output {
 

@@ -1,7 +1,8 @@
+#include <cstdint>
+
 #include <fmt/format.h>
 
 #include <burin/output/xml_text.hpp>
-#include <cstdint>
 
 namespace burin::output {
 

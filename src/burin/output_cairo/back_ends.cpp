@@ -1,4 +1,5 @@
 #include <array>
+
 #include <burin/output_cairo/back_ends.hpp>
 #include <burin/output_cairo/pdf.hpp>
 #include <burin/output_cairo/png.hpp>

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <burin/path/back_end.hpp>
 #include <span>
+
+#include <burin/path/back_end.hpp>
 
 namespace burin::output_cairo {
 

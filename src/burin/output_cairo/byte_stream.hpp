@@ -1,10 +1,11 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include <cairo.h>
 
 #include <burin/base/bytes.hpp>
-#include <string>
-#include <string_view>
 
 namespace burin::output_cairo {
 

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <optional>
+#include <span>
+#include <vector>
+
 #include <cairo.h>
 
 #include <burin/output_cairo/stroker.hpp>
 #include <burin/path/path_sink.hpp>
 #include <burin/path/sheet.hpp>
-#include <optional>
-#include <span>
-#include <vector>
 
 namespace burin::output_cairo {
 

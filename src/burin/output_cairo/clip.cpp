@@ -1,6 +1,7 @@
 #include <array>
-#include <burin/output_cairo/clip.hpp>
 #include <utility>
+
+#include <burin/output_cairo/clip.hpp>
 
 namespace burin::output_cairo {
 

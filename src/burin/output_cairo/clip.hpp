@@ -1,10 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <burin/geom/box2.hpp>
-#include <burin/geom/vec2.hpp>
 #include <optional>
 #include <vector>
+
+#include <burin/geom/box2.hpp>
+#include <burin/geom/vec2.hpp>
 
 namespace burin::output_cairo {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cairo.h>
-
 #include <memory>
+
+#include <cairo.h>
 
 namespace burin::output_cairo {
 

@@ -1,6 +1,7 @@
-#include <burin/output_cairo/origin_text.hpp>
 #include <cstddef>
 #include <cstdint>
+
+#include <burin/output_cairo/origin_text.hpp>
 
 namespace burin::output_cairo {
 

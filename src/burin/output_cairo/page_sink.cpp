@@ -1,7 +1,8 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include <burin/output_cairo/page_sink.hpp>
-#include <utility>
 
 namespace burin::output_cairo {
 

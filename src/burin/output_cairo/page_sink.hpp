@@ -1,11 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <string_view>
+
 #include <burin/output_cairo/byte_stream.hpp>
 #include <burin/output_cairo/canvas.hpp>
 #include <burin/output_cairo/handles.hpp>
 #include <burin/path/back_end.hpp>
-#include <memory>
-#include <string_view>
 
 namespace burin::output_cairo {
 

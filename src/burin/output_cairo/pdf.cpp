@@ -1,15 +1,16 @@
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <burin/base/number_text.hpp>
 #include <burin/base/units.hpp>
 #include <burin/output_cairo/origin_text.hpp>
 #include <burin/output_cairo/page_sink.hpp>
 #include <burin/output_cairo/pdf.hpp>
-#include <memory>
-#include <string>
-#include <utility>
 
 namespace burin::output_cairo {
 

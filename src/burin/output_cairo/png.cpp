@@ -1,14 +1,15 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <burin/base/number_text.hpp>
-#include <burin/output_cairo/page_sink.hpp>
-#include <burin/output_cairo/png.hpp>
-#include <burin/output_cairo/png_file.hpp>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include <burin/base/number_text.hpp>
+#include <burin/output_cairo/page_sink.hpp>
+#include <burin/output_cairo/png.hpp>
+#include <burin/output_cairo/png_file.hpp>
 
 namespace burin::output_cairo {
 

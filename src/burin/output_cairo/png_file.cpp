@@ -1,9 +1,10 @@
+#include <csetjmp>
+#include <optional>
+
 #include <png.h>
 
 #include <burin/output_cairo/origin_text.hpp>
 #include <burin/output_cairo/png_file.hpp>
-#include <csetjmp>
-#include <optional>
 
 namespace burin::output_cairo {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/output_cairo/byte_stream.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include <burin/output_cairo/byte_stream.hpp>
 
 namespace burin::output_cairo {
 

@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <cmath>
+
 #include <burin/output_cairo/clip.hpp>
 #include <burin/output_cairo/stroker.hpp>
-#include <cmath>
 
 namespace burin::output_cairo {
 

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include <cairo.h>
 
 #include <burin/geom/box2.hpp>
 #include <burin/geom/vec2.hpp>
 #include <burin/path/sheet.hpp>
-#include <cstddef>
-#include <span>
-#include <vector>
 
 namespace burin::output_cairo {
 

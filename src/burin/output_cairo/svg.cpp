@@ -1,14 +1,15 @@
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
 #include <cairo-svg.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <burin/base/number_text.hpp>
 #include <burin/output_cairo/page_sink.hpp>
 #include <burin/output_cairo/svg.hpp>
 #include <burin/output_cairo/svg_text.hpp>
-#include <memory>
-#include <string>
-#include <utility>
 
 namespace burin::output_cairo {
 

@@ -1,6 +1,7 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <burin/output_cairo/origin_text.hpp>
 #include <burin/output_cairo/svg_text.hpp>
 

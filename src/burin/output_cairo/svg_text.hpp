@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/output_cairo/byte_stream.hpp>
-#include <burin/path/sheet.hpp>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
+
+#include <burin/output_cairo/byte_stream.hpp>
+#include <burin/path/sheet.hpp>
 
 namespace burin::output_cairo {
 

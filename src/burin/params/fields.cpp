@@ -1,8 +1,9 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
 #include <burin/params/fields.hpp>
-#include <cmath>
 
 namespace burin::params {
 

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <burin/base/check.hpp>
-#include <burin/params/read_value.hpp>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -11,6 +9,9 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include <burin/base/check.hpp>
+#include <burin/params/read_value.hpp>
 
 /// Field tables: one declaration per parameter. A parameter struct gives each member a default by its initialiser and
 /// one row in `fields()`; the reader, help, docs and schema all derive from the rows:

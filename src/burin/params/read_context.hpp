@@ -1,13 +1,14 @@
 #pragma once
 
-#include <burin/base/bytes.hpp>
-#include <burin/base/problem.hpp>
-#include <burin/base/result.hpp>
-#include <burin/params/value.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/base/bytes.hpp>
+#include <burin/base/problem.hpp>
+#include <burin/base/result.hpp>
+#include <burin/params/value.hpp>
 
 namespace burin::params {
 

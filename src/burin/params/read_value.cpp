@@ -1,10 +1,11 @@
+#include <cmath>
+#include <limits>
+
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
 #include <burin/base/units.hpp>
 #include <burin/params/read_value.hpp>
-#include <cmath>
-#include <limits>
 
 namespace burin::params {
 

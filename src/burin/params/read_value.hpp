@@ -1,9 +1,6 @@
 #pragma once
 
 #include <array>
-#include <burin/base/suggest.hpp>
-#include <burin/params/read_context.hpp>
-#include <burin/params/value.hpp>
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -11,6 +8,10 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <burin/base/suggest.hpp>
+#include <burin/params/read_context.hpp>
+#include <burin/params/value.hpp>
 
 /// How a value of a preset becomes a C++ value. A type takes part by specialising ValueType<T>:
 ///   static std::string name();                                            for help: "number", "length", "motif"

@@ -1,6 +1,7 @@
 #include <array>
-#include <burin/params/value.hpp>
 #include <utility>
+
+#include <burin/params/value.hpp>
 
 namespace burin::params {
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/base/problem.hpp>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include <burin/base/problem.hpp>
 
 namespace burin::params {
 

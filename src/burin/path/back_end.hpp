@@ -1,13 +1,14 @@
 #pragma once
 
-#include <burin/base/bytes.hpp>
-#include <burin/base/result.hpp>
-#include <burin/path/path_sink.hpp>
-#include <burin/path/sheet.hpp>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include <burin/base/bytes.hpp>
+#include <burin/base/result.hpp>
+#include <burin/path/path_sink.hpp>
+#include <burin/path/sheet.hpp>
 
 namespace burin {
 

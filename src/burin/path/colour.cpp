@@ -1,9 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/path/colour.hpp>
 #include <charconv>
+
+#include <fmt/format.h>
+
+#include <burin/path/colour.hpp>
 
 namespace burin {
 

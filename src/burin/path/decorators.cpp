@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+
 #include <burin/base/check.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/path/recording.hpp>

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <burin/geom/affine2.hpp>
-#include <burin/geom/box2.hpp>
-#include <burin/path/path_sink.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stop_token>
 #include <utility>
+
+#include <burin/geom/affine2.hpp>
+#include <burin/geom/box2.hpp>
+#include <burin/path/path_sink.hpp>
 
 /// Sinks that hold a sink: each does one thing to what passes through. All are O(1) in memory.
 namespace burin {

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <burin/base/executor.hpp>
-#include <burin/geom/box2.hpp>
 #include <cstdint>
 #include <stop_token>
+
+#include <burin/base/executor.hpp>
+#include <burin/geom/box2.hpp>
 
 namespace burin {
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include <burin/geom/affine2.hpp>
 #include <burin/geom/vec2.hpp>
 #include <burin/path/sheet.hpp>
-#include <cstdint>
-#include <span>
 
 namespace burin {
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/geom/box2.hpp>
-#include <burin/path/path_sink.hpp>
 #include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include <burin/geom/box2.hpp>
+#include <burin/path/path_sink.hpp>
 
 namespace burin {
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/geom/box2.hpp>
-#include <burin/path/colour.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include <burin/geom/box2.hpp>
+#include <burin/path/colour.hpp>
 
 namespace burin {
 

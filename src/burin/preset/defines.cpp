@@ -1,11 +1,12 @@
-#include <fmt/format.h>
-
-#include <burin/base/suggest.hpp>
-#include <burin/preset/defines.hpp>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <burin/preset/defines.hpp>
 
 namespace burin::preset {
 

@@ -1,8 +1,9 @@
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <burin/preset/findings.hpp>
-#include <iterator>
 
 namespace burin::preset {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/base/problem.hpp>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <tuple>
+
+#include <burin/base/problem.hpp>
 
 namespace burin::preset {
 

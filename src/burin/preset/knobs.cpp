@@ -1,11 +1,12 @@
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <burin/base/number_text.hpp>
 #include <burin/base/random.hpp>
 #include <burin/base/suggest.hpp>
 #include <burin/preset/knobs.hpp>
-#include <cmath>
 
 namespace burin::preset {
 

@@ -1,15 +1,16 @@
 #pragma once
 
 #include <array>
-#include <burin/params/fields.hpp>
-#include <burin/preset/findings.hpp>
-#include <burin/preset/load.hpp>
-#include <burin/preset/piece_values.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/params/fields.hpp>
+#include <burin/preset/findings.hpp>
+#include <burin/preset/load.hpp>
+#include <burin/preset/piece_values.hpp>
 
 namespace burin::preset {
 

@@ -1,12 +1,13 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <burin/base/suggest.hpp>
-#include <burin/preset/layers.hpp>
-#include <burin/preset/piece_values.hpp>
 #include <map>
 #include <set>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <burin/preset/layers.hpp>
+#include <burin/preset/piece_values.hpp>
 
 namespace burin::preset {
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <burin/params/read_context.hpp>
 #include <burin/preset/findings.hpp>
 #include <burin/preset/piece.hpp>
-#include <string>
-#include <vector>
 
 namespace burin::preset {
 

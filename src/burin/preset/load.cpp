@@ -1,6 +1,8 @@
+#include <algorithm>
+#include <optional>
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <burin/base/sha256.hpp>
 #include <burin/base/suggest.hpp>
 #include <burin/preset/defines.hpp>
@@ -12,7 +14,6 @@
 #include <burin/preset/sections.hpp>
 #include <burin/preset/substitute.hpp>
 #include <burin/preset/toml.hpp>
-#include <optional>
 
 namespace burin::preset {
 

@@ -1,14 +1,15 @@
 #pragma once
 
-#include <burin/base/bytes.hpp>
-#include <burin/base/result.hpp>
-#include <burin/preset/piece.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <burin/base/bytes.hpp>
+#include <burin/base/result.hpp>
+#include <burin/preset/piece.hpp>
 
 namespace burin::preset {
 

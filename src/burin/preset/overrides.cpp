@@ -1,16 +1,17 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/base/suggest.hpp>
-#include <burin/preset/layers.hpp>
-#include <burin/preset/overrides.hpp>
-#include <burin/preset/toml.hpp>
 #include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <burin/preset/layers.hpp>
+#include <burin/preset/overrides.hpp>
+#include <burin/preset/toml.hpp>
 
 namespace burin::preset {
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <string_view>
+
 #include <burin/params/value.hpp>
 #include <burin/preset/findings.hpp>
 #include <burin/preset/load.hpp>
-#include <string_view>
 
 namespace burin::preset {
 

@@ -1,13 +1,14 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
 #include <burin/base/number_text.hpp>
 #include <burin/base/suggest.hpp>
 #include <burin/base/units.hpp>
 #include <burin/preset/piece_values.hpp>
-#include <optional>
-#include <utility>
 
 namespace burin::preset {
 

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+
 #include <burin/base/math.hpp>
 #include <burin/base/random.hpp>
 #include <burin/path/recording.hpp>
 #include <burin/preset/pen_bands.hpp>
-#include <cmath>
 
 namespace burin::preset {
 

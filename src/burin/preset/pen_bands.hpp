@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include <burin/curves/point_buffer.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/preset/piece.hpp>
 #include <burin/preset/slot_layout.hpp>
-#include <cstddef>
-#include <cstdint>
 
 namespace burin::preset {
 

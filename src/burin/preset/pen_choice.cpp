@@ -1,8 +1,9 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
 #include <burin/preset/piece_values.hpp>
-#include <utility>
 
 namespace burin::params {
 

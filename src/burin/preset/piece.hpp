@@ -2,14 +2,15 @@
 
 #include <any>
 #include <array>
-#include <burin/curves/family.hpp>
-#include <burin/expr/expression.hpp>
-#include <burin/params/fields.hpp>
-#include <burin/path/sheet.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <burin/curves/family.hpp>
+#include <burin/expr/expression.hpp>
+#include <burin/params/fields.hpp>
+#include <burin/path/sheet.hpp>
 
 /// A preset after reading and before planning: every knob set, every name resolved, every value in its range. The
 /// structs here are the field tables of the preset format; their rows are its documentation.

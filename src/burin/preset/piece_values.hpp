@@ -1,12 +1,13 @@
 #pragma once
 
 #include <array>
-#include <burin/params/read_value.hpp>
-#include <burin/preset/piece.hpp>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/params/read_value.hpp>
+#include <burin/preset/piece.hpp>
 
 /// How the values of a Piece are written in a preset. Include this wherever a field table of piece.hpp is read.
 namespace burin {

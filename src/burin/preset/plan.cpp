@@ -1,14 +1,15 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <burin/base/number_text.hpp>
 #include <burin/base/random.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/preset/pen_bands.hpp>
 #include <burin/preset/plan.hpp>
 #include <burin/preset/slot_layout.hpp>
-#include <cmath>
-#include <utility>
 
 namespace burin::preset {
 

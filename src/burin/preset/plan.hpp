@@ -1,15 +1,16 @@
 #pragma once
 
-#include <burin/base/executor.hpp>
-#include <burin/base/result.hpp>
-#include <burin/path/back_end.hpp>
-#include <burin/path/draw_context.hpp>
-#include <burin/preset/piece.hpp>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <stop_token>
 #include <vector>
+
+#include <burin/base/executor.hpp>
+#include <burin/base/result.hpp>
+#include <burin/path/back_end.hpp>
+#include <burin/path/draw_context.hpp>
+#include <burin/preset/piece.hpp>
 
 namespace burin::preset {
 

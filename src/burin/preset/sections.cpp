@@ -1,11 +1,12 @@
+#include <string_view>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
 #include <burin/params/fields.hpp>
 #include <burin/preset/piece_values.hpp>
 #include <burin/preset/sections.hpp>
-#include <string_view>
-#include <utility>
 
 namespace burin::preset {
 

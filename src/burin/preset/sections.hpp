@@ -1,8 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include <burin/params/read_context.hpp>
 #include <burin/preset/piece.hpp>
-#include <vector>
 
 /// The parts of a preset that stand before its layers. Each reader reports what is wrong and gives back the rest.
 namespace burin::preset {

@@ -1,9 +1,10 @@
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <burin/preset/slot_layout.hpp>
 #include <burin/preset/symmetry.hpp>
-#include <cmath>
 
 namespace burin::preset {
 

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <burin/base/result.hpp>
-#include <burin/geom/affine2.hpp>
-#include <burin/geom/box2.hpp>
-#include <burin/preset/piece.hpp>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
+
+#include <burin/base/result.hpp>
+#include <burin/geom/affine2.hpp>
+#include <burin/geom/box2.hpp>
+#include <burin/preset/piece.hpp>
 
 namespace burin::preset {
 

@@ -1,12 +1,13 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+
 #include <burin/base/number_text.hpp>
 #include <burin/base/suggest.hpp>
 #include <burin/preset/piece_values.hpp>
-#include <charconv>
-#include <optional>
 
 namespace burin::params {
 

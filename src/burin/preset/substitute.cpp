@@ -1,12 +1,13 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <burin/base/suggest.hpp>
-#include <burin/preset/substitute.hpp>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <burin/preset/substitute.hpp>
 
 namespace burin::preset {
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/params/value.hpp>
-#include <burin/preset/findings.hpp>
-#include <burin/preset/knobs.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include <burin/params/value.hpp>
+#include <burin/preset/findings.hpp>
+#include <burin/preset/knobs.hpp>
 
 namespace burin::preset {
 

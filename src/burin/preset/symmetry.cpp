@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <burin/preset/symmetry.hpp>
 #include <charconv>
 #include <cmath>
 #include <span>
+
+#include <burin/preset/symmetry.hpp>
 
 namespace burin::preset {
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/geom/affine2.hpp>
-#include <burin/geom/box2.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
+
+#include <burin/geom/affine2.hpp>
+#include <burin/geom/box2.hpp>
 
 /// The symmetry groups of the plane by name: rosettes c1, c2 ..., d1, d2 ...; friezes and wallpapers by their short
 /// international names. All maps are isometries, y up.

@@ -1,4 +1,5 @@
 #include <algorithm>
+
 #include <burin/preset/text_places.hpp>
 
 namespace burin::preset {

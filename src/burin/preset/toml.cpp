@@ -1,13 +1,14 @@
 #define TOML_HEADER_ONLY 0
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
 #include <burin/preset/text_places.hpp>
 #include <burin/preset/toml.hpp>
 #include <burin/preset/toml_guard.hpp>
 #include <burin/preset/toml_traps.hpp>
-#include <cmath>
 
 namespace burin::preset {
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/params/value.hpp>
-#include <burin/preset/findings.hpp>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include <burin/params/value.hpp>
+#include <burin/preset/findings.hpp>
 
 /// Presets are TOML 1.0. This is the only place that knows it; toml.cpp is the only file that names toml++.
 namespace burin::preset {

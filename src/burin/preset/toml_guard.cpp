@@ -1,10 +1,11 @@
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include <burin/preset/toml.hpp>
 #include <burin/preset/toml_guard.hpp>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace burin::preset {
 

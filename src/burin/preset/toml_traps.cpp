@@ -1,11 +1,12 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/preset/toml_traps.hpp>
 #include <cstddef>
 #include <optional>
 #include <string>
+
+#include <fmt/format.h>
+
+#include <burin/preset/toml_traps.hpp>
 
 namespace burin::preset {
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <burin/base/problem.hpp>
 #include <string_view>
+
+#include <burin/base/problem.hpp>
 
 namespace burin::preset {
 

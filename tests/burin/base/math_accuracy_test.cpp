@@ -1,15 +1,16 @@
 // The elementary functions against the C library's long double ones, which carry 11 bits more and share no code.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <bit>
-#include <burin/base/math.hpp>
-#include <burin/base/random.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <ostream>
 #include <string>
+
+#include <gtest/gtest.h>
+
+#include <burin/base/math.hpp>
+#include <burin/base/random.hpp>
 
 namespace burin {
 namespace {

@@ -1,13 +1,14 @@
 // Values the elementary functions must hit exactly, their special cases, and one hash that pins every bit.
-#include <gtest/gtest.h>
-
 #include <bit>
-#include <burin/base/math.hpp>
-#include <burin/base/random.hpp>
-#include <burin/base/sha256.hpp>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+
+#include <gtest/gtest.h>
+
+#include <burin/base/math.hpp>
+#include <burin/base/random.hpp>
+#include <burin/base/sha256.hpp>
 
 namespace burin {
 namespace {

@@ -1,10 +1,11 @@
-#include <gtest/gtest.h>
-
 #include <bit>
-#include <burin/base/number_text.hpp>
-#include <burin/base/random.hpp>
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
+
+#include <burin/base/number_text.hpp>
+#include <burin/base/random.hpp>
 
 namespace burin {
 namespace {

@@ -1,7 +1,8 @@
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <burin/base/problem.hpp>
-#include <string>
 
 namespace burin {
 namespace {

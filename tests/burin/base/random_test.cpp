@@ -1,8 +1,9 @@
+#include <array>
+#include <set>
+
 #include <gtest/gtest.h>
 
-#include <array>
 #include <burin/base/random.hpp>
-#include <set>
 
 namespace burin {
 namespace {

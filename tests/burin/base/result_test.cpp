@@ -1,8 +1,9 @@
+#include <memory>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <burin/base/result.hpp>
-#include <memory>
-#include <string>
 
 namespace burin {
 namespace {

@@ -1,7 +1,8 @@
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <burin/base/sha256.hpp>
-#include <string>
 
 namespace burin {
 namespace {

@@ -1,8 +1,9 @@
+#include <array>
+#include <string>
+
 #include <gtest/gtest.h>
 
-#include <array>
 #include <burin/base/suggest.hpp>
-#include <string>
 
 namespace burin {
 namespace {

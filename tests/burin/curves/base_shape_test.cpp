@@ -1,8 +1,9 @@
+#include <cmath>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <burin/curves/base_shape.hpp>
-#include <cmath>
-#include <string>
 
 #include "support/json_value.hpp"
 

@@ -1,8 +1,9 @@
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <burin/path/decorators.hpp>
-#include <string>
-#include <vector>
 
 #include "support/curve_summary.hpp"
 #include "support/json_value.hpp"

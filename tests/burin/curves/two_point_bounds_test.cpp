@@ -1,10 +1,11 @@
+#include <cmath>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <burin/base/random.hpp>
 #include <burin/curves/two_point/automaton.hpp>
 #include <burin/curves/two_point/block_tables.hpp>
-#include <cmath>
-#include <string>
 
 #include "support/curve_summary.hpp"
 #include "support/json_value.hpp"

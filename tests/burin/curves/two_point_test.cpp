@@ -1,11 +1,12 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <burin/base/random.hpp>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
+
+#include <gtest/gtest.h>
+
+#include <burin/base/random.hpp>
 
 #include "support/curve_summary.hpp"
 #include "support/json_value.hpp"

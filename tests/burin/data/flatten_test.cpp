@@ -1,9 +1,10 @@
-#include <gtest/gtest.h>
-
-#include <burin/data/flatten.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include <gtest/gtest.h>
+
+#include <burin/data/flatten.hpp>
 
 namespace burin::data {
 namespace {

@@ -1,7 +1,8 @@
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include <burin/data/svg_path.hpp>
-#include <random>
 
 namespace burin::data {
 namespace {

@@ -1,9 +1,10 @@
+#include <array>
+#include <string>
+
 #include <gtest/gtest.h>
 
-#include <array>
 #include <burin/base/random.hpp>
 #include <burin/expr/expression.hpp>
-#include <string>
 
 #include "support.hpp"
 

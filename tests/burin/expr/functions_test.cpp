@@ -1,11 +1,12 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
 #include <burin/base/math.hpp>
 #include <burin/base/random.hpp>
 #include <burin/expr/expression.hpp>
-#include <cmath>
 
 #include "support.hpp"
 

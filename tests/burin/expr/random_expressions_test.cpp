@@ -1,13 +1,14 @@
 // Random expression trees, written out with as few parentheses as the documented precedences allow and evaluated by
 // walking the tree: the parser must read the same tree back.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
-#include <burin/base/random.hpp>
-#include <burin/expr/expression.hpp>
 #include <cmath>
 #include <string>
+
+#include <gtest/gtest.h>
+
+#include <burin/base/random.hpp>
+#include <burin/expr/expression.hpp>
 
 namespace burin::expr {
 namespace {

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <limits>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 #include <burin/expr/expression.hpp>
-#include <limits>
-#include <string_view>
 
 namespace burin::expr {
 

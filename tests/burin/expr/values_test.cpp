@@ -1,14 +1,15 @@
-#include <gtest/gtest.h>
-
 #include <array>
-#include <burin/base/math.hpp>
-#include <burin/expr/expression.hpp>
 #include <clocale>
 #include <cmath>
 #include <limits>
 #include <locale>
 #include <thread>
 #include <vector>
+
+#include <gtest/gtest.h>
+
+#include <burin/base/math.hpp>
+#include <burin/expr/expression.hpp>
 
 #include "support.hpp"
 

@@ -1,8 +1,9 @@
+#include <charconv>
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include <burin/output/csv_writer.hpp>
-#include <charconv>
-#include <sstream>
 
 #include "support/failing_sink.hpp"
 #include "support/svg_drawing.hpp"

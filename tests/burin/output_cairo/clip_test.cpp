@@ -1,8 +1,9 @@
+#include <cmath>
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include <burin/output_cairo/clip.hpp>
-#include <cmath>
-#include <random>
 
 namespace burin::output_cairo {
 namespace {

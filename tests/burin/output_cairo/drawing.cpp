@@ -1,12 +1,13 @@
 #include "drawing.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include <algorithm>
 #include <burin/output_cairo/back_ends.hpp>
 #include <burin/path/decorators.hpp>
-#include <cstdlib>
 
 namespace burin::test {
 

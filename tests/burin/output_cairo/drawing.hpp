@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/path/back_end.hpp>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/path/back_end.hpp>
 
 /// Drawing small sheets with Cairo's back ends and looking at what came out.
 namespace burin::test {

@@ -1,9 +1,9 @@
-#include <gtest/gtest.h>
-#include <sys/resource.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <sys/resource.h>
+
+#include <gtest/gtest.h>
 
 #include "drawing.hpp"
 

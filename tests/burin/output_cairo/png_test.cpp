@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
+#include <map>
 #include <zlib.h>
 
-#include <map>
+#include <gtest/gtest.h>
 
 #include "drawing.hpp"
 

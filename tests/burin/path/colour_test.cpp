@@ -1,8 +1,9 @@
+#include <algorithm>
+#include <set>
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <burin/path/colour.hpp>
-#include <set>
 
 namespace burin {
 namespace {

@@ -1,10 +1,11 @@
+#include <limits>
+#include <optional>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <burin/path/decorators.hpp>
 #include <burin/path/recording.hpp>
-#include <limits>
-#include <optional>
-#include <vector>
 
 #include "support/trace_sink.hpp"
 

@@ -1,8 +1,9 @@
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <burin/path/decorators.hpp>
 #include <burin/path/recording.hpp>
-#include <vector>
 
 #include "support/trace_sink.hpp"
 

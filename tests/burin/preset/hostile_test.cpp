@@ -1,4 +1,5 @@
 #include <algorithm>
+
 #include <burin/base/random.hpp>
 
 #include "preset_text.hpp"

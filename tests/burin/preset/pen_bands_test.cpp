@@ -1,8 +1,9 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <burin/path/recording.hpp>
 #include <burin/preset/pen_bands.hpp>
-#include <cmath>
 
 namespace burin::preset {
 namespace {

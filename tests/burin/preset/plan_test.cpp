@@ -1,11 +1,12 @@
+#include <cmath>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <burin/path/decorators.hpp>
 #include <burin/path/recording.hpp>
 #include <burin/preset/load.hpp>
 #include <burin/preset/plan.hpp>
-#include <cmath>
-#include <string>
 
 namespace burin::preset {
 namespace {

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 #include <burin/preset/load.hpp>
-#include <string>
-#include <string_view>
 
 /// Presets as short texts.
 namespace burin::preset {

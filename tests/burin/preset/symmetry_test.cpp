@@ -1,9 +1,10 @@
+#include <cmath>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include <burin/base/random.hpp>
 #include <burin/preset/symmetry.hpp>
-#include <cmath>
-#include <string>
 
 namespace burin::preset {
 namespace {

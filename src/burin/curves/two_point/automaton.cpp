@@ -1,6 +1,7 @@
 #include <algorithm>
-#include <burin/curves/two_point/automaton.hpp>
 #include <numeric>
+
+#include <burin/curves/two_point/automaton.hpp>
 
 namespace burin::curves::two_point {
 

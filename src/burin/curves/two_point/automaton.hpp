@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/curves/two_point/motif.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
+
+#include <burin/curves/two_point/motif.hpp>
 
 namespace burin::curves::two_point {
 

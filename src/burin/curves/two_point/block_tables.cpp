@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <burin/curves/two_point/block_tables.hpp>
 #include <limits>
 #include <utility>
+
+#include <burin/curves/two_point/block_tables.hpp>
 
 namespace burin::curves::two_point {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <burin/curves/two_point/automaton.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include <burin/curves/two_point/automaton.hpp>
 
 namespace burin::curves::two_point {
 

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <burin/curves/two_point/bounds.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <queue>
 #include <tuple>
 #include <vector>
+
+#include <burin/curves/two_point/bounds.hpp>
 
 namespace burin::curves::two_point {
 

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include <burin/curves/base_shape.hpp>
 #include <burin/curves/two_point/block_tables.hpp>
 #include <burin/curves/two_point/keyed_rule.hpp>
 #include <burin/geom/box2.hpp>
-#include <cstdint>
-#include <optional>
 
 namespace burin::curves::two_point {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <burin/curves/point_buffer.hpp>
-#include <burin/path/path_sink.hpp>
 #include <cstddef>
 #include <span>
+
+#include <burin/curves/point_buffer.hpp>
+#include <burin/path/path_sink.hpp>
 
 /// What a trace of the curve does with the points it finds: two answers to the same calls, so that a forecast walks the
 /// very tree that the drawing will.

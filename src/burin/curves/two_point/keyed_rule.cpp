@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+
 #include <burin/base/math.hpp>
 #include <burin/base/random.hpp>
 #include <burin/curves/two_point/keyed_rule.hpp>
-#include <cmath>
-#include <limits>
 
 namespace burin::curves::two_point {
 

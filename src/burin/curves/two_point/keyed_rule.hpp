@@ -1,9 +1,10 @@
 #pragma once
 
-#include <burin/curves/two_point/motif.hpp>
 #include <cstdint>
 #include <optional>
 #include <vector>
+
+#include <burin/curves/two_point/motif.hpp>
 
 namespace burin::curves::two_point {
 

@@ -1,14 +1,15 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <burin/base/math.hpp>
-#include <burin/curves/base_shape.hpp>
-#include <burin/curves/two_point/motif.hpp>
-#include <burin/params/fields.hpp>
 #include <cctype>
 #include <cmath>
 #include <tuple>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include <burin/base/math.hpp>
+#include <burin/curves/base_shape.hpp>
+#include <burin/curves/two_point/motif.hpp>
+#include <burin/params/fields.hpp>
 
 namespace burin::curves::two_point {
 

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <array>
-#include <burin/curves/two_point/sign_rule.hpp>
-#include <burin/expr/expression.hpp>
-#include <burin/geom/vec2.hpp>
-#include <burin/params/read_value.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,6 +8,11 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <burin/curves/two_point/sign_rule.hpp>
+#include <burin/expr/expression.hpp>
+#include <burin/geom/vec2.hpp>
+#include <burin/params/read_value.hpp>
 
 namespace burin::curves::two_point {
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+
 #include <burin/curves/two_point/motif.hpp>
 
 /// The motifs that go by a name. Source: reference curves A.3 (Ding & Qi, Fig. 3, corrected where the paper misprints).

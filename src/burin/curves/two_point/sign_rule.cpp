@@ -1,4 +1,5 @@
 #include <array>
+
 #include <burin/base/random.hpp>
 #include <burin/curves/two_point/sign_rule.hpp>
 

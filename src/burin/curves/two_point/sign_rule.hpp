@@ -1,10 +1,11 @@
 #pragma once
 
-#include <burin/params/read_value.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include <burin/params/read_value.hpp>
 
 namespace burin::curves::two_point {
 

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <burin/curves/two_point/block_tables.hpp>
-#include <burin/path/draw_context.hpp>
-#include <burin/path/path_sink.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include <burin/curves/two_point/block_tables.hpp>
+#include <burin/path/draw_context.hpp>
+#include <burin/path/path_sink.hpp>
 
 namespace burin::curves::two_point {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <burin/path/draw_context.hpp>
-#include <burin/path/path_sink.hpp>
 #include <cstdint>
 #include <vector>
+
+#include <burin/path/draw_context.hpp>
+#include <burin/path/path_sink.hpp>
 
 namespace burin::curves::two_point {
 

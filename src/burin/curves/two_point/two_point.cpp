@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
 #include <burin/curves/two_point/block_tables.hpp>
 #include <burin/curves/two_point/bounds.hpp>
 #include <burin/curves/two_point/emitters.hpp>
@@ -7,9 +11,6 @@
 #include <burin/curves/two_point/trace_rule.hpp>
 #include <burin/curves/two_point/two_point.hpp>
 #include <burin/path/decorators.hpp>
-#include <cmath>
-#include <utility>
-#include <variant>
 
 namespace burin::curves {
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <burin/curves/base_shape.hpp>
-#include <burin/curves/family.hpp>
-#include <burin/curves/two_point/motif.hpp>
 #include <cstdint>
 #include <optional>
 #include <span>
+
+#include <burin/curves/base_shape.hpp>
+#include <burin/curves/family.hpp>
+#include <burin/curves/two_point/motif.hpp>
 
 namespace burin::curves {
 
