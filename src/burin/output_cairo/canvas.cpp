@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include <burin/base/check.hpp>
 #include <burin/output_cairo/canvas.hpp>
@@ -19,14 +21,20 @@ Box2 device_page(const Page& page, double device_per_mm) {
   return {{0.0, 0.0}, {page.width_mm * device_per_mm, page.height_mm * device_per_mm}};
 }
 
+/// A colour's part from 0 to 1. Cairo writes six decimals and some readers of PDF cut off instead of rounding: rounded
+/// up here, it comes back as the same of 255 steps in both.
+double intensity(std::uint8_t of_255) {
+  return std::ceil(of_255 / 255.0 * 1e6) / 1e6;
+}
+
 }  // namespace
 
-Canvas::Canvas(cairo_t* to, const Sheet& sheet, double device_per_mm)
+Canvas::Canvas(cairo_t* to, const Sheet& sheet, Resolution resolution)
     : to_(to),
       sheet_(sheet),
-      device_per_mm_(device_per_mm),
-      fill_box_(device_page(sheet.page, device_per_mm).grown(2.0)),
-      stroker_(to, device_page(sheet.page, device_per_mm)) {
+      device_per_mm_(resolution.device_per_mm),
+      fill_box_(device_page(sheet.page, device_per_mm_).grown(2.0)),
+      stroker_(to, device_page(sheet.page, device_per_mm_), resolution.grain) {
   BURIN_EXPECT(fill_box_.width() <= farthest + 4.0 && fill_box_.height() <= farthest + 4.0);
 }
 
@@ -36,7 +44,7 @@ void Canvas::paint_paper() {
 }
 
 void Canvas::set_colour(Colour colour) {
-  cairo_set_source_rgb(to_, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+  cairo_set_source_rgb(to_, intensity(colour.red), intensity(colour.green), intensity(colour.blue));
 }
 
 void Canvas::begin(const PathHead& head) {

@@ -12,6 +12,12 @@
 
 namespace burin::output_cairo {
 
+/// How fine a surface is.
+struct Resolution {
+  double device_per_mm = 1.0;
+  double grain = 0.0;  ///< device units; a stroke may leave out points that are no farther than this from the last one
+};
+
 /// Draws the layers of a sheet with Cairo, whatever the surface: all that PDF, PNG and SVG share.
 ///
 /// Cairo's matrix stays the identity, since its vector surfaces write another one with every path; millimetres become
@@ -19,7 +25,7 @@ namespace burin::output_cairo {
 class Canvas {
  public:
   /// `to` and `sheet` must outlive the canvas. Pre: the page is at most `farthest` device units wide and high.
-  Canvas(cairo_t* to, const Sheet& sheet, double device_per_mm);
+  Canvas(cairo_t* to, const Sheet& sheet, Resolution resolution);
 
   void paint_paper();
 

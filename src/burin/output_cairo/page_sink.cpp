@@ -7,12 +7,12 @@
 namespace burin::output_cairo {
 
 PageSink::PageSink(std::string_view format, std::shared_ptr<ByteStream> stream, Surface surface, const Sheet& sheet,
-                   double device_per_mm)
+                   Resolution resolution)
     : format_(format),
       stream_(std::move(stream)),
       surface_(std::move(surface)),
       context_(cairo_create(surface_.get())),
-      canvas_(context_.get(), sheet, device_per_mm) {}
+      canvas_(context_.get(), sheet, resolution) {}
 
 Flow PageSink::begin(const PathHead& head) {
   canvas_.begin(head);

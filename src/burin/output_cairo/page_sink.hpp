@@ -16,7 +16,7 @@ class PageSink : public OutputSink {
  public:
   /// `format`: its name in messages, for example "PDF".
   PageSink(std::string_view format, std::shared_ptr<ByteStream> stream, Surface surface, const Sheet& sheet,
-           double device_per_mm);
+           Resolution resolution);
   ~PageSink() override { stream_->close(); }
 
   void paint_paper() { canvas_.paint_paper(); }

@@ -25,7 +25,7 @@ constexpr const char* fixed_date = "2000-01-01T00:00:00Z";
 class PdfSink final : public PageSink {
  public:
   PdfSink(std::shared_ptr<ByteStream> stream, Surface surface, const Sheet& sheet)
-      : PageSink("PDF", std::move(stream), std::move(surface), sheet, points_per_mm) {}
+      : PageSink("PDF", std::move(stream), std::move(surface), sheet, {.device_per_mm = points_per_mm}) {}
 
  private:
   bool close_document() override {

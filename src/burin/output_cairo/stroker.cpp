@@ -89,17 +89,19 @@ void Stroker::begin_contour(bool closed) {
 }
 
 void Stroker::add(std::span<const Vec2> points, double device_per_mm) {
+  const double grain = dashed() ? 0.0 : grain_;  // leaving out points would move the dashes
   for (const Vec2 point : points) {
-    const Vec2 p = device_point(point, device_per_mm);
+    newest_ = device_point(point, device_per_mm);
     if (!started_) {
-      start(p);
-    } else if (p != last_) {
-      step(p);
+      start(newest_);
+    } else if (distance(newest_, last_) > grain) {
+      step(newest_);
     }
   }
 }
 
 void Stroker::end_contour() {
+  if (newest_ != last_ && !closed_) step(newest_);
   if (!moved_) {
     if (inside_) stroke_dot(first_);
   } else if (closed_) {

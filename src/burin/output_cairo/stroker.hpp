@@ -36,8 +36,9 @@ class Stroker {
  public:
   static constexpr std::size_t piece_segments = 500;
 
-  /// `page`: what can be seen, in device units.
-  Stroker(cairo_t* to, const Box2& page) : to_(to), page_(page), box_(page) {}
+  /// `page`: what can be seen, in device units. `grain`: inner points of a full line that are no farther than this from
+  /// the last one are left out.
+  Stroker(cairo_t* to, const Box2& page, double grain) : to_(to), page_(page), box_(page), grain_(grain) {}
 
   /// For the contours that follow. Between contours only.
   void set_style(const StrokeStyle& style);
@@ -66,6 +67,7 @@ class Stroker {
   cairo_t* to_;
   Box2 page_;
   Box2 box_;  ///< the page and as far around it as a stroke can reach
+  double grain_;
   StrokeStyle style_;
   double dash_period_ = 0.0;  ///< 0: a full line
 
@@ -80,6 +82,7 @@ class Stroker {
   Vec2 first_;
   Vec2 second_;
   Vec2 last_;
+  Vec2 newest_;          ///< last_, or a point near it that is left out so far
   double length_ = 0.0;  ///< length of the contour up to last_; kept for dashes only
 };
 

@@ -30,7 +30,8 @@ struct SvgStream {
 class SvgSink final : public PageSink {
  public:
   SvgSink(std::shared_ptr<SvgStream> stream, Surface surface, const Sheet& sheet)
-      : PageSink("SVG", {stream, &stream->stream}, std::move(surface), sheet, 1.0), text_(stream->text) {}
+      : PageSink("SVG", {stream, &stream->stream}, std::move(surface), sheet, {.device_per_mm = 1.0}),
+        text_(stream->text) {}
 
  private:
   bool close_document() override {
