@@ -151,6 +151,10 @@ bool read_spec(const params::Table& table, const Where& where, BaseShape& base, 
 
 }  // namespace
 
+std::vector<params::FieldInfo> base_fields() {
+  return params::field_infos<BaseSpec>();
+}
+
 }  // namespace burin::curves
 
 namespace burin::params {

@@ -28,6 +28,9 @@ struct BaseShape {
   std::size_t edge_count() const;
 };
 
+/// The keys of a base written as a table, for help and docs.
+std::vector<params::FieldInfo> base_fields();
+
 }  // namespace burin::curves
 
 /// "segment" (0,0)-(1,0); "triangle" and "square": counter-clockwise on that segment; { shape = "ngon", n = 5 } and

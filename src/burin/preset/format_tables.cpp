@@ -1,3 +1,4 @@
+#include <burin/curves/two_point/two_point.hpp>
 #include <burin/preset/knobs.hpp>
 #include <burin/preset/load.hpp>
 #include <burin/preset/piece_values.hpp>
@@ -13,6 +14,8 @@ std::vector<FormatTable> format_tables() {
       {"slot", "a rectangle of the page with one fit for the layers in it", params::field_infos<SlotSpec>()},
       {"layer", "a curve drawn with a pen in a slot; its 'curve' is a define's name or a table with 'family'",
        params::field_infos<LayerStyle>()},
+      {"base", "what a curve refines, written as a table", curves::base_fields()},
+      {"motif", "what replaces an edge, written as a table", curves::two_point::motif_fields()},
   };
 }
 

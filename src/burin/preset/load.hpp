@@ -50,7 +50,7 @@ struct Summary {
 /// What a preset says of itself, without reading its data files or layers.
 Result<Summary> summarise(const Source& source);
 
-/// A table of the preset format, for help and docs: "page", "pen", "slot", "layer", "knob", "about".
+/// A table of the preset format, for help and docs: "about", "page", "knob", "pen", "slot", "layer", "base", "motif".
 struct FormatTable {
   std::string_view name;
   std::string_view summary;

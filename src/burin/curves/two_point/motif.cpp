@@ -163,6 +163,10 @@ namespace burin::curves::two_point {
 
 static_assert(params::ParamStruct<MotifSpec>);
 
+std::vector<params::FieldInfo> motif_fields() {
+  return params::field_infos<MotifSpec>();
+}
+
 namespace {
 
 Amount constant(double value) {

@@ -12,6 +12,7 @@
 #include <burin/curves/two_point/sign_rule.hpp>
 #include <burin/expr/expression.hpp>
 #include <burin/geom/vec2.hpp>
+#include <burin/params/fields.hpp>
 #include <burin/params/read_value.hpp>
 
 namespace burin::curves::two_point {
@@ -74,6 +75,8 @@ struct NamedMotif {
 };
 
 std::span<const NamedMotif> named_motifs();
+/// The keys of a motif written as a table, for help and docs.
+std::vector<params::FieldInfo> motif_fields();
 /// The named motif as data. Pre: the row is from named_motifs().
 Motif motif_from(const NamedMotif& row);
 /// By name or alias; null for unknown names.
