@@ -205,12 +205,14 @@ Forecast Plan::forecast(const RunOptions& options, double enough) const {
   for (std::size_t s = 0; s < steps_->size(); ++s) {
     const Step& step = (*steps_)[s];
     if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
+    // The bands of a layer share its points: the first one counts them all.
+    if (step.band.value_or(0) > 0) continue;
     for (const Copy& copy : step.placed->copies) {
       const Forecast part = step.placed->layer.family->forecast(
           step.placed->layer.parameters, step.context(copy, options, sheet_->page), enough - total.points);
       total.points += part.points;
       total.asked_points += part.asked_points;
-      // A band draws no more than the whole.
+      // Cuts between bands add points of their own.
       total.exact = total.exact && part.exact && !step.band;
       if (total.points > enough) {
         total.exact = false;
