@@ -19,15 +19,15 @@ install_packages() {
   if ((${#missing[@]} == 0)); then
     return
   fi
-  echo "installing: ${missing[*]}"
   if ((EUID != 0)); then
     if ! command -v sudo > /dev/null; then
-      echo "error: these packages are missing and need root; run this and then $0 again:" >&2
+      echo "error: packages are missing, and only root may install them; as root run this, then $0 again:" >&2
       echo "  apt-get update && apt-get install --no-install-recommends ${missing[*]}" >&2
       return 1
     fi
     as_root=(sudo)
   fi
+  echo "installing: ${missing[*]}"
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq update
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o Dpkg::Use-Pty=0 install \
     --no-install-recommends "${missing[@]}" > /dev/null

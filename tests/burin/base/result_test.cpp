@@ -36,7 +36,7 @@ TEST(ResultDeathTest, BrokenContractsAbort) {
   const Result<int> bad = Problem{{}, "wrong"};
   EXPECT_DEATH(static_cast<void>(*bad), "contract broken");
   EXPECT_DEATH(static_cast<void>(good.problems()), "contract broken");
-  EXPECT_DEATH(Result<int>(Problems{}), "contract broken");
+  EXPECT_DEATH(static_cast<void>(Result<int>(Problems{})), "contract broken");
 }
 
 }  // namespace
