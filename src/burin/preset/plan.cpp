@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,11 +15,16 @@
 
 namespace burin::preset {
 
-/// A preset layer in its slot, with every copy it is drawn as.
-struct Plan::Placed {
-  Layer layer;
+/// A slot with every copy of what it holds, shared by its layers.
+struct Plan::PlacedSlot {
   SlotFrame frame;
   std::vector<Copy> copies;
+};
+
+/// A preset layer in its slot.
+struct Plan::Placed {
+  Layer layer;
+  std::shared_ptr<const PlacedSlot> slot;
   double extent_mm = 0.0;  ///< how far ink may reach beyond a point: half the widest pen, more for miters
 
   std::uint64_t seed_of(const Copy& copy, std::uint64_t piece_seed) const;
@@ -45,10 +52,10 @@ std::uint64_t layer_seed(const Layer& layer, std::uint64_t piece_seed, int cell)
   return cell == 0 ? seed : random_bits(seed, cell);
 }
 
-const SlotSpec& slot_of(const Piece& piece, const Layer& layer) {
+const SlotSpec& slot_called(const Piece& piece, const std::string& name) {
   static const SlotSpec live_area;
   for (const NamedSlot& slot : piece.slots) {
-    if (slot.name == layer.style.slot) return slot.slot;
+    if (slot.name == name) return slot.slot;
   }
   return live_area;
 }
@@ -92,17 +99,23 @@ SheetLayer sheet_layer(const Piece& piece, const LayerStyle& style, const std::s
 /// Most points a curve is run through before its size is known.
 constexpr double most_points_unbounded = 5e7;
 
-/// Why a layer has no box, in words for the user.
-Problem explain(Problem problem, const Layer& layer, std::uint64_t seed) {
-  problem.where = layer.where;
+/// Why the layer's curve has no finite box, in words for the user.
+Problem no_box(const Layer& layer, std::uint64_t seed) {
   const double asked = layer.family->forecast(layer.parameters, {.seed = seed}, 0.0).asked_points;
-  if (problem.trouble == Trouble::input && asked > most_points_unbounded) {
-    problem.trouble = Trouble::limit;
-    problem.message += fmt::format(": it has {:.3g} points and nothing bounds what its marks generate; lower '{}'",
-                                   asked, layer.family->cost_knob);
+  if (asked > most_points_unbounded) {
+    return {
+        {},
+        fmt::format("its curve cannot be fitted to the page: it has {:.3g} points and nothing bounds what its marks "
+                    "generate; lower '{}'",
+                    asked, layer.family->cost_knob),
+        Trouble::limit,
+        {}};
   }
-  problem.message = fmt::format("layer '{}': {}", layer.style.name, problem.message);
-  return problem;
+  return {{},
+          "its curve cannot be fitted to the page: a point of it is not a number, or too far away to compute with; "
+          "check its numbers and expressions",
+          Trouble::input,
+          {}};
 }
 
 }  // namespace
@@ -113,7 +126,7 @@ std::uint64_t Plan::Placed::seed_of(const Copy& copy, std::uint64_t piece_seed) 
 
 DrawContext Plan::Step::context(const Copy& copy, const RunOptions& options, const Page& page) const {
   DrawContext context{.seed = placed->seed_of(copy, piece_seed), .stop = options.stop, .executor = options.executor};
-  const Affine2 page_from_model = placed->frame.page_from_slot() * copy.slot_from_model;
+  const Affine2 page_from_model = placed->slot->frame.page_from_slot() * copy.slot_from_model;
   context.mm_per_unit = page_from_model.scale();
   if (options.tolerance_mm > 0.0 && options.space == Space::page) {
     const Box2 sheet{{-page.bleed_mm, -page.bleed_mm}, {page.width_mm + page.bleed_mm, page.height_mm + page.bleed_mm}};
@@ -128,12 +141,52 @@ Flow Plan::Step::draw(const Copy& copy, const PenChoice& pens, LayerId layer, Pa
   // From the generator: its band of the pen, the page, this layer's name on every path.
   const DrawContext drawn = context(copy, options, page);
   Painted painted(sink, layer, paint);
-  Mapped mapped(painted, options.space == Space::page ? placed->frame.page_from_slot() * copy.slot_from_model
+  Mapped mapped(painted, options.space == Space::page ? placed->slot->frame.page_from_slot() * copy.slot_from_model
                                                       : copy.model_from_model);
   Stoppable stoppable(mapped, options.stop);
   if (!band) return placed->layer.family->draw(placed->layer.parameters, drawn, stoppable);
-  PenBand banded(stoppable, pens, *band, copy, placed->frame, drawn.seed);
+  PenBand banded(stoppable, pens, *band, copy, placed->slot->frame, drawn.seed);
   return placed->layer.family->draw(placed->layer.parameters, drawn, banded);
+}
+
+Result<Plan::PlacedSlot> Plan::place_slot(const Piece& piece, const std::string& name) {
+  std::vector<const Layer*> layers;
+  for (const Layer& layer : piece.layers) {
+    if (layer.style.slot == name) layers.push_back(&layer);
+  }
+  // One fit for all layers of a slot: the box is over the slot's layers, the inset over their pens.
+  double inset_mm = 0.0;
+  bool cells_differ = false;
+  for (const Layer* layer : layers) {
+    inset_mm = std::max(inset_mm, half_widest_pen_mm(piece, *layer));
+    cells_differ = cells_differ || layer->family->uses_seed(layer->parameters);
+  }
+  const Layer* boxless = nullptr;
+  const ContentBox content_box = [&](const Affine2& map, int cell) -> std::optional<Box2> {
+    Box2 content;
+    if (cell > 0 && !cells_differ) return content;  // nothing that cell 0 has not
+    for (const Layer* layer : layers) {
+      const std::optional<Box2> box =
+          layer->family->bounds(layer->parameters, {.seed = layer_seed(*layer, piece.seed, cell)}, map);
+      if (!box || !is_finite(box->low) || !is_finite(box->high)) {
+        boxless = layer;
+        return std::nullopt;
+      }
+      content.add(*box);
+    }
+    return content;
+  };
+  PlacedSlot placed{slot_frame(piece.page, slot_called(piece, name)), {}};
+  Result<std::vector<Copy>> copies = lay_out(slot_called(piece, name), placed.frame, inset_mm, content_box);
+  if (!copies) {
+    const Layer& blamed = boxless != nullptr ? *boxless : *layers.front();
+    Problem problem = boxless != nullptr ? no_box(*boxless, piece.seed) : copies.problems().front();
+    problem.where = blamed.where;
+    problem.message = fmt::format("layer '{}': {}", blamed.style.name, problem.message);
+    return problem;
+  }
+  placed.copies = *std::move(copies);
+  return placed;
 }
 
 Result<Plan> Plan::make(Piece piece) {
@@ -141,37 +194,20 @@ Result<Plan> Plan::make(Piece piece) {
   auto sheet = std::make_shared<Sheet>(sheet_of(piece));
   auto steps = std::make_shared<std::vector<Step>>();
   Problems problems;
-  for (Layer& layer : piece.layers) {
-    const SlotSpec& slot = slot_of(piece, layer);
-    auto placed = std::make_shared<Placed>();
-    placed->frame = slot_frame(piece.page, slot);
-
-    // One fit for all layers of a slot: the box is over the slot's layers, the inset over their pens.
-    double inset_mm = 0.0;
-    const Layer* boxless = nullptr;
-    for (const Layer& other : piece.layers) {
-      if (other.style.slot == layer.style.slot) inset_mm = std::max(inset_mm, half_widest_pen_mm(piece, other));
-    }
-    const ContentBox content_box = [&](const Affine2& map, int cell) -> std::optional<Box2> {
-      Box2 content;
-      for (const Layer& other : piece.layers) {
-        if (other.style.slot != layer.style.slot) continue;
-        const std::optional<Box2> box =
-            other.family->bounds(other.parameters, {.seed = layer_seed(other, piece.seed, cell)}, map);
-        if (!box || !is_finite(box->low) || !is_finite(box->high)) {
-          boxless = &other;
-          return std::nullopt;
-        }
-        content.add(*box);
+  std::map<std::string, std::shared_ptr<const PlacedSlot>> slots;  // null: could not be placed
+  for (const Layer& layer : piece.layers) {
+    auto [slot, is_new] = slots.try_emplace(layer.style.slot);
+    if (is_new) {
+      Result<PlacedSlot> placed_slot = place_slot(piece, layer.style.slot);
+      if (placed_slot) {
+        slot->second = std::make_shared<const PlacedSlot>(*std::move(placed_slot));
+      } else {
+        problems.push_back(placed_slot.problems().front());
       }
-      return content;
-    };
-    Result<std::vector<Copy>> copies = lay_out(slot, placed->frame, inset_mm, content_box);
-    if (!copies) {
-      problems.push_back(explain(copies.problems().front(), boxless != nullptr ? *boxless : layer, piece.seed));
-      continue;
     }
-    placed->copies = *std::move(copies);
+    if (slot->second == nullptr) continue;
+    auto placed = std::make_shared<Placed>();
+    placed->slot = slot->second;
     placed->extent_mm = half_widest_pen_mm(piece, layer) * (layer.style.joins == Join::miter ? layer.style.miter : 1.5);
     placed->layer = layer;
     const LayerStyle& style = placed->layer.style;
@@ -207,7 +243,7 @@ Forecast Plan::forecast(const RunOptions& options, double enough) const {
     if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
     // The bands of a layer share its points: the first one counts them all.
     if (step.band.value_or(0) > 0) continue;
-    for (const Copy& copy : step.placed->copies) {
+    for (const Copy& copy : step.placed->slot->copies) {
       const Forecast part = step.placed->layer.family->forecast(
           step.placed->layer.parameters, step.context(copy, options, sheet_->page), enough - total.points);
       total.points += part.points;
@@ -233,7 +269,7 @@ Result<Forecast> Plan::check_size(const RunOptions& options, double max_points) 
     const Placed& placed = *(*steps_)[s].placed;
     if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
     const double asked = placed.layer.family->forecast(placed.layer.parameters, {}, 0.0).asked_points *
-                         static_cast<double>(placed.copies.size());
+                         static_cast<double>(placed.slot->copies.size());
     if (asked > most) {
       most = asked;
       costliest = &placed;
@@ -253,7 +289,7 @@ Flow Plan::run(PathSink& sink, const RunOptions& options) const {
     if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
     const Step& step = (*steps_)[s];
     const PenChoice pens = step.placed->layer.style.pen;
-    for (const Copy& copy : step.placed->copies) {
+    for (const Copy& copy : step.placed->slot->copies) {
       if (step.draw(copy, pens, static_cast<LayerId>(s), sink, options, sheet_->page) == Flow::stop) return Flow::stop;
     }
   }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include <burin/base/executor.hpp>
@@ -48,6 +49,10 @@ class Plan {
  private:
   struct Step;
   struct Placed;
+  struct PlacedSlot;
+
+  /// Fits what the layers of a slot draw into it. Pre: a layer draws in this slot.
+  static Result<PlacedSlot> place_slot(const Piece& piece, const std::string& name);
 
   std::shared_ptr<Sheet> sheet_;
   std::shared_ptr<const std::vector<Step>> steps_;

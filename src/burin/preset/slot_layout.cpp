@@ -69,6 +69,19 @@ Problem no_box() {
   return {{}, "its curve cannot be fitted to the page", Trouble::input, {}};
 }
 
+/// Scales beyond these come from mistaken numbers; within them no map over- or underflows.
+constexpr double smallest_scale = 1e-100;
+constexpr double largest_scale = 1e100;
+
+Problem mad_scale(const Box2& content, double scale) {
+  return {{},
+          fmt::format("{:.3g} mm for a model unit are outside [{:g}, {:g}] mm (the model is {:.3g} x {:.3g} units "
+                      "large); check its coordinates and the slot's 'frame' and 'scale'",
+                      scale, smallest_scale, largest_scale, content.width(), content.height()),
+          Trouble::input,
+          {}};
+}
+
 constexpr std::size_t most_copies = 1'000'000;
 
 Problem too_many_copies() {
@@ -118,7 +131,8 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
   const Box2 place = whole_place.grown(-inset_mm);
   if (content.empty() || place.empty() || (tiling && tiling->copies.empty())) {
     return Problem{{},
-                   fmt::format("its slot ({:.4g} x {:.4g} mm) is too small to draw in", cell_width, cell_height),
+                   fmt::format("its slot ({:.4g} x {:.4g} mm) is too small to draw in with a pen of {:.4g} mm",
+                               cell_width, cell_height, 2.0 * inset_mm),
                    Trouble::input,
                    {}};
   }
@@ -126,8 +140,10 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
   if (cells.size() * tiles.size() * turned.size() > most_copies) return too_many_copies();
 
   const double scale = slot.scale ? slot.scale->mm : fitting_scale(content, place.width(), place.height());
+  if (!(scale >= smallest_scale && scale <= largest_scale)) return mad_scale(content, scale);
   const Affine2 place_from_model = place_from_content(content, place, slot.align, scale);
   std::vector<Copy> copies;
+  copies.reserve(cells.size() * tiles.size() * turned.size());
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     const Affine2 mirror = mirror_of_cell(slot, cells[cell]);
     const Affine2 slot_from_cell = translation(cells[cell].box.center()) * mirror;

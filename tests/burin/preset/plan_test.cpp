@@ -200,6 +200,40 @@ TEST(Plan, ACurveWithoutBoundsIsRefusedWithItsKnob) {
   EXPECT_EQ(huge.problems().front().trouble, Trouble::input);
 }
 
+TEST(Plan, NumbersTooLargeOrSmallToMapAreRefused) {
+  const std::string koch_of = "curve = { family = \"two-point\", levels = 1000";
+  for (const std::string& text :
+       {"[[layer]]\n" + koch_of + ", base = { points = [[1e300, 0], [-1e300, 0]] } }\n",
+        "[[layer]]\n" + koch_of + ", base = { points = [[0, 0], [1e-300, 0]] } }\n",
+        "[slots]\ns = { scale = \"1e-200mm\" }\n[[layer]]\nslot = \"s\"\n" + koch_of + " }\n",
+        "[slots]\ns = { scale = \"1e200mm\" }\n[[layer]]\nslot = \"s\"\n" + koch_of + " }\n",
+        "[slots]\ns = { frame = [-1e300, 0, 1e300, 1] }\n[[layer]]\nslot = \"s\"\n" + koch_of + " }\n"}) {
+    const Result<Plan> plan = try_plan(piece(text));
+    ASSERT_FALSE(plan.ok()) << text;
+    const Problem& problem = plan.problems().front();
+    EXPECT_EQ(problem.trouble, Trouble::input) << text;
+    EXPECT_NE(problem.message.find("mm for a model unit are outside"), std::string::npos) << problem.message;
+    EXPECT_GT(problem.where.line, 0) << text;
+  }
+}
+
+TEST(Plan, ASlotThatCannotBePlacedIsOneProblem) {
+  const std::string wild = "curve = { family = \"two-point\", levels = 4, motif = { marks = [[0.5, 1e200]] } }\n";
+  const Result<Plan> unbounded = try_plan(piece(koch + "[[layer]]\nname = \"wild\"\n" + wild));
+  ASSERT_FALSE(unbounded.ok());
+  ASSERT_EQ(unbounded.problems().size(), 1U);
+  EXPECT_NE(unbounded.problems().front().message.find("layer 'wild'"), std::string::npos);
+  EXPECT_NE(unbounded.problems().front().message.find("not a number"), std::string::npos);
+
+  // A slot that is too small is not blamed on the levels.
+  const Result<Plan> small = try_plan(
+      "page = { size = \"a4\" }\npens = { ink = { width = \"99mm\" } }\nslots = { s = { at = \"0 0 50mm 50mm\" } }\n"
+      "[[layer]]\nslot = \"s\"\ncurve = { family = \"two-point\", levels = 1000 }\n");
+  ASSERT_FALSE(small.ok());
+  EXPECT_EQ(small.problems().front().trouble, Trouble::input);
+  EXPECT_NE(small.problems().front().message.find("too small to draw in with a pen of 99 mm"), std::string::npos);
+}
+
 TEST(Plan, AStopEndsItEarly) {
   const Plan plan = plan_of(piece("[[layer]]\ncurve = { family = \"two-point\", levels = 12 }\n"));
   std::stop_source stop;
