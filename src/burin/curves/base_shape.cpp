@@ -103,7 +103,9 @@ std::optional<std::vector<Polyline>> polylines_of(const BaseSpec& spec, const Wh
   if (!spec.csv.empty()) {
     const Result<std::string> text = context.read_file(spec.csv);
     if (!text) {
-      context.report(where, text.problems().front().message);
+      const Problem& problem = text.problems().front();
+      context.report(where, problem.where.file.empty() ? problem.message
+                                                       : fmt::format("'{}' {}", problem.where.file, problem.message));
       return std::nullopt;
     }
     Result<std::vector<Vec2>> points = data::read_csv_points(*text, spec.csv);

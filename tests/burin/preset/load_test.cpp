@@ -125,6 +125,10 @@ TEST(Load, NotesItsDataFiles) {
   EXPECT_EQ(piece->data[0].name, "a.csv");
   EXPECT_EQ(piece->data[0].sha256, sha256_hex("0,0\n1,0\n1,1\n"));
   EXPECT_NE(complaints(text).find("data file 'a.csv' cannot be read here"), std::string::npos);
+  const Result<Piece> missing =
+      load_text("burin = 1\n[[layer]]\ncurve = { family = 'two-point', base = { csv = 'b.csv' } }\n", {}, read_file);
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.problems().front().message, "'base': 'b.csv' no such file");
 }
 
 TEST(Load, ShowsEverythingAtOnceInOrder) {
