@@ -20,6 +20,7 @@ Interrupt::Interrupt(std::function<void()> at_second) {
   sigemptyset(&watched_);
   sigaddset(&watched_, SIGINT);
   sigaddset(&watched_, SIGTERM);
+  sigaddset(&watched_, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &watched_, &before_);
   watcher_ = std::thread([this, call = std::move(at_second)] { watch(call); });
 }

@@ -8,9 +8,10 @@
 
 namespace burin::cli {
 
-/// While it lives, the first SIGINT or SIGTERM requests a stop; the second one calls `at_second` and ends the process
-/// at once. Signals that were ignored when the tool began stay ignored. The signals are blocked in every thread and
-/// taken by a thread of its own, so nothing has to be async-signal-safe. Make it before other threads; one at a time.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP (its terminal was closed) requests a stop; the second one calls
+/// `at_second` and ends the process at once. Signals that were ignored when the tool began stay ignored. The signals
+/// are blocked in every thread and taken by a thread of its own, so nothing has to be async-signal-safe. Make it before
+/// other threads; one at a time.
 class Interrupt {
  public:
   explicit Interrupt(std::function<void()> at_second);

@@ -41,7 +41,7 @@ bool has_temporary(const TemporaryFolder& folder) {
 }
 
 TEST(Files, AnInterruptLeavesTheOldFileAndNoTemporary) {
-  for (const auto& [signal, code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+  for (const auto& [signal, code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143), std::pair(SIGHUP, 129)}) {
     const TemporaryFolder folder;
     folder.write("p.toml", koch_text);
     folder.write("a.svg", "old");
