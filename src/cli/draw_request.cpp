@@ -5,6 +5,7 @@
 #include <cli/formats.hpp>
 #include <cli/output_target.hpp>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <random>
 #include <string_view>
@@ -122,6 +123,15 @@ class Reader {
     request.overrides.seed = negative ? 0 - seed : seed;
   }
 
+  /// Whether two output paths, perhaps of files that are not there yet, name one file.
+  static bool same_file(const std::string& a, const std::string& b) {
+    std::error_code failed_a;
+    std::error_code failed_b;
+    return a == b || (std::filesystem::weakly_canonical(std::filesystem::absolute(a, failed_a), failed_a) ==
+                          std::filesystem::weakly_canonical(std::filesystem::absolute(b, failed_b), failed_b) &&
+                      !failed_a && !failed_b);
+  }
+
   void read_outputs(DrawRequest& request) {
     const std::optional<std::string> format = arguments_.value("format");
     const std::optional<std::string> back_end = arguments_.value("backend");
@@ -130,8 +140,8 @@ class Reader {
     if (paths.empty()) paths.emplace_back();
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const std::string& path = paths[i];
-      if (std::find(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i), path) !=
-          paths.begin() + static_cast<std::ptrdiff_t>(i)) {
+      const auto earlier = paths.begin() + static_cast<std::ptrdiff_t>(i);
+      if (std::any_of(paths.begin(), earlier, [&](const std::string& other) { return same_file(other, path); })) {
         report("-o {} is given twice", path);
         continue;
       }

@@ -33,6 +33,7 @@ TEST(Errors, WrongCommandLinesAreUsage) {
   expect_refused({"draw", "p.toml", "--format", "gif"}, 2, {"there is no format 'gif'; formats: "});
   expect_refused({"draw", "p.toml", "-o", "a.csv", "--backend", "cairo"}, 2, {"back ends of csv: native"});
   expect_refused({"draw", "p.toml", "-o", "a.svg", "-o", "a.svg"}, 2, {"given twice"});
+  expect_refused({"draw", "p.toml", "-o", "a.svg", "-o", "./a.svg"}, 2, {"-o ./a.svg is given twice"});
   expect_refused({"draw", "p.toml", "--decimals", "7"}, 2, {"--decimals", "from 0 to 6"});
   expect_refused({"draw", "p.toml", "--decimals", "1.5"}, 2, {"whole number"});
   expect_refused({"draw", "p.toml", "--decimals", "2", "-o", "a.csv"}, 2, {"--decimals is for svg"});
