@@ -34,6 +34,10 @@ case $way in
     "$BURIN_CMAKE" --build "$folder"
     expect_picture "$folder/draw_snowflake"
     ;;
+  headers)
+    configure find_package -DCMAKE_PREFIX_PATH="$BURIN_PREFIX" -DBURIN_INCLUDE_DIR="$BURIN_PREFIX/include"
+    "$BURIN_CMAKE" --build "$folder" --target headers_alone
+    ;;
   pkg_config)
     fresh
     export PKG_CONFIG_PATH="$BURIN_PREFIX/$BURIN_LIBDIR/pkgconfig"
