@@ -26,7 +26,10 @@ Result<Done> write(const preset::Plan& plan, const BackEnd& back_end, ByteSink& 
   preset::RunOptions run;
   run.space = back_end.space;
   run.tolerance_mm = back_end.tolerance_mm(options);
-  if (const Result<Forecast> size = plan.check_size(run, max_points); !size) return size.problems();
+  const Result<Forecast> size = plan.check_size(run, max_points);
+  if (!size) return size.problems();
+  if (Result<Done> fits = check_memory(back_end, *size, plan.sheet(), options, default_max_memory_bytes); !fits)
+    return fits;
   const std::unique_ptr<OutputSink> sink = back_end.open(bytes, plan.sheet(), options);
   // Only the sink itself can stop this run; finish() then says why.
   static_cast<void>(plan.run(*sink, run));

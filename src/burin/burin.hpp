@@ -22,6 +22,8 @@ namespace burin {
 
 /// What a program may emit unless it says otherwise; the tool's --max-points.
 inline constexpr double default_max_points = 5e7;
+/// And how much memory, in bytes; the tool's --max-memory.
+inline constexpr double default_max_memory_bytes = 2e9;
 
 /// The ReadFile of programs whose presets use no data files: every name is a problem.
 Result<std::string> no_files(std::string_view name);

@@ -1,6 +1,5 @@
 #include <cerrno>
 #include <chrono>
-#include <cli/atomic_file.hpp>
 #include <climits>
 #include <fcntl.h>
 #include <filesystem>
@@ -8,6 +7,8 @@
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
+
+#include <cli/atomic_file.hpp>
 
 namespace burin::cli {
 

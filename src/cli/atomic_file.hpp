@@ -1,13 +1,13 @@
 #pragma once
 
-#include <cli/output_target.hpp>
-#include <cli/temporaries.hpp>
 #include <cstdint>
 #include <memory>
 #include <stop_token>
 #include <string>
 
 #include <burin/base/bytes.hpp>
+#include <cli/output_target.hpp>
+#include <cli/temporaries.hpp>
 
 namespace burin::cli {
 

@@ -1,12 +1,12 @@
 #include <array>
-#include <cli/command.hpp>
-#include <cli/file_io.hpp>
-#include <cli/preset_library.hpp>
 
 #include <fmt/format.h>
 
 #include <burin/preset/load.hpp>
 #include <burin/preset/plan.hpp>
+#include <cli/command.hpp>
+#include <cli/file_io.hpp>
+#include <cli/preset_library.hpp>
 
 namespace burin::cli {
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include <cli/console.hpp>
 #include <cli/exit_code.hpp>
 #include <cli/options.hpp>
-#include <span>
-#include <string_view>
 
 namespace burin::cli {
 

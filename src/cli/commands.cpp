@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+
 #include <cli/command.hpp>
 
 namespace burin::cli {

@@ -1,10 +1,11 @@
 #include <cerrno>
-#include <cli/console.hpp>
-#include <cli/file_io.hpp>
 #include <cstdlib>
 #include <unistd.h>
 
 #include <fmt/format.h>
+
+#include <cli/console.hpp>
+#include <cli/file_io.hpp>
 
 namespace burin::cli {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cli/exit_code.hpp>
 #include <string>
 #include <string_view>
 
 #include <burin/base/problem.hpp>
+#include <cli/exit_code.hpp>
 
 namespace burin::cli {
 

@@ -1,11 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cli/command.hpp>
-#include <cli/draw_output.hpp>
-#include <cli/draw_report.hpp>
-#include <cli/draw_request.hpp>
-#include <cli/file_io.hpp>
-#include <cli/interrupt.hpp>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -14,6 +8,12 @@
 
 #include <burin/base/suggest.hpp>
 #include <burin/preset/plan.hpp>
+#include <cli/command.hpp>
+#include <cli/draw_output.hpp>
+#include <cli/draw_report.hpp>
+#include <cli/draw_request.hpp>
+#include <cli/file_io.hpp>
+#include <cli/interrupt.hpp>
 
 namespace burin::cli {
 
@@ -67,6 +67,9 @@ Result<std::vector<OutputJob>> make_jobs(const preset::Plan& plan, const DrawReq
     job.run.stop = stop;
     const Result<Forecast> forecast = plan.check_size(job.run, request.max_points);
     if (!forecast) return forecast.problems();
+    const Result<Done> fits =
+        check_memory(*job.back_end, *forecast, plan.sheet(), job.options, request.max_memory_mb * 1e6);
+    if (!fits) return fits.problems();
     job.forecast = *forecast;
     job.origin = make_origin(request, *job.back_end, preset, piece);
     jobs.push_back(std::move(job));

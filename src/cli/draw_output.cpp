@@ -1,8 +1,8 @@
-#include <cli/draw_output.hpp>
-#include <cli/progress.hpp>
 #include <memory>
 
 #include <burin/path/decorators.hpp>
+#include <cli/draw_output.hpp>
+#include <cli/progress.hpp>
 
 namespace burin::cli {
 

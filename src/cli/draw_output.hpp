@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cli/atomic_file.hpp>
-#include <cli/draw_request.hpp>
 #include <cstdint>
 #include <string>
 
 #include <burin/path/draw_context.hpp>
 #include <burin/preset/plan.hpp>
+#include <cli/atomic_file.hpp>
+#include <cli/draw_request.hpp>
 
 namespace burin::cli {
 

@@ -1,9 +1,9 @@
-#include <cli/draw_report.hpp>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
+#include <cli/draw_report.hpp>
 
 namespace burin::cli {
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include <cli/draw_output.hpp>
 #include <cli/origin.hpp>
-#include <string>
 
 namespace burin::cli {
 

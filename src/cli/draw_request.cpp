@@ -1,9 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cli/draw_request.hpp>
-#include <cli/formats.hpp>
-#include <cli/output_target.hpp>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -17,6 +14,9 @@
 
 #include <burin/base/number_text.hpp>
 #include <burin/base/units.hpp>
+#include <cli/draw_request.hpp>
+#include <cli/formats.hpp>
+#include <cli/output_target.hpp>
 
 namespace burin::cli {
 
@@ -40,6 +40,7 @@ constexpr std::array option_rows{
     OptionRow{"skip", 0, "LAYER", "leave this layer out", true},
     OptionRow{"all-points", 0, "", "draw points that the output is too coarse to show, too"},
     OptionRow{"max-points", 0, "N", "refuse to draw more points than this (5e7)"},
+    OptionRow{"max-memory", 0, "MB", "refuse to draw what needs more memory than this (2000)"},
     OptionRow{"quiet", 'q', "", "errors only"},
     OptionRow{"verbose", 'v', "", "tell more: layers, data files"},
 };
@@ -207,6 +208,7 @@ Result<DrawRequest> read_draw_request(const Arguments& arguments) {
   request.decimals = static_cast<int>(decimals);
   reader.number("dpi", 1.0, 10000.0, false, request.dots_per_inch);
   reader.number("max-points", 1.0, 1e18, false, request.max_points);
+  reader.number("max-memory", 1.0, 1e12, false, request.max_memory_mb);
   reader.read_size(request);
   request.paper = arguments.has("paper");
   request.all_points = arguments.has("all-points");

@@ -1,14 +1,15 @@
 #pragma once
 
-#include <cli/options.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <burin/base/result.hpp>
+#include <burin/burin.hpp>
 #include <burin/path/back_end.hpp>
 #include <burin/preset/load.hpp>
+#include <cli/options.hpp>
 
 namespace burin::cli {
 
@@ -28,7 +29,8 @@ struct DrawRequest {
   std::optional<double> longer_side_px;  ///< instead of dots_per_inch
   bool paper = false;
   bool all_points = false;
-  double max_points = 5e7;
+  double max_points = default_max_points;
+  double max_memory_mb = default_max_memory_bytes / 1e6;
   std::vector<std::string> only;
   std::vector<std::string> skip;
   bool quiet = false;

@@ -1,6 +1,5 @@
 #include <array>
 #include <cerrno>
-#include <cli/file_io.hpp>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/stat.h>
@@ -9,6 +8,8 @@
 #include <utility>
 
 #include <fmt/format.h>
+
+#include <cli/file_io.hpp>
 
 namespace burin::cli {
 

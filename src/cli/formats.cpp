@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cli/formats.hpp>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 
 #include <burin/base/suggest.hpp>
 #include <burin/output/back_ends.hpp>
+#include <cli/formats.hpp>
 #ifdef BURIN_HAS_CAIRO
 #include <burin/output_cairo/back_ends.hpp>
 #endif

@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <cli/help.hpp>
 
 #include <fmt/format.h>
+
+#include <cli/help.hpp>
 
 namespace burin::cli {
 

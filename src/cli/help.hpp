@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cli/command.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <cli/command.hpp>
 
 namespace burin::cli {
 

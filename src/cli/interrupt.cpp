@@ -1,7 +1,8 @@
-#include <cli/interrupt.hpp>
 #include <pthread.h>
 #include <unistd.h>
 #include <utility>
+
+#include <cli/interrupt.hpp>
 
 namespace burin::cli {
 

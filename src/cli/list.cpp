@@ -1,9 +1,4 @@
 #include <array>
-#include <cli/command.hpp>
-#include <cli/file_io.hpp>
-#include <cli/formats.hpp>
-#include <cli/help.hpp>
-#include <cli/preset_library.hpp>
 #include <utility>
 #include <vector>
 
@@ -13,6 +8,11 @@
 #include <burin/curves/family.hpp>
 #include <burin/path/colour.hpp>
 #include <burin/preset/load.hpp>
+#include <cli/command.hpp>
+#include <cli/file_io.hpp>
+#include <cli/formats.hpp>
+#include <cli/help.hpp>
+#include <cli/preset_library.hpp>
 
 namespace burin::cli {
 

@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <cli/command.hpp>
-#include <cli/help.hpp>
-#include <cli/preset_library.hpp>
 #include <csignal>
 #include <exception>
 #include <fcntl.h>
@@ -14,6 +11,9 @@
 #include <fmt/format.h>
 
 #include <burin/base/suggest.hpp>
+#include <cli/command.hpp>
+#include <cli/help.hpp>
+#include <cli/preset_library.hpp>
 
 namespace burin::cli {
 

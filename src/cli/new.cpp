@@ -1,14 +1,14 @@
 #include <array>
-#include <cli/atomic_file.hpp>
-#include <cli/command.hpp>
-#include <cli/file_io.hpp>
-#include <cli/preset_library.hpp>
 #include <filesystem>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include <burin/preset/load.hpp>
+#include <cli/atomic_file.hpp>
+#include <cli/command.hpp>
+#include <cli/file_io.hpp>
+#include <cli/preset_library.hpp>
 
 namespace burin::cli {
 

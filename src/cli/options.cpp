@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cli/options.hpp>
 
 #include <boost/program_options.hpp>
 #include <fmt/format.h>
 
 #include <burin/base/suggest.hpp>
+#include <cli/options.hpp>
 
 namespace burin::cli {
 

@@ -1,10 +1,10 @@
-#include <cli/formats.hpp>
-#include <cli/origin.hpp>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
+#include <cli/formats.hpp>
+#include <cli/origin.hpp>
 
 namespace burin::cli {
 

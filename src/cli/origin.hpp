@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cli/draw_request.hpp>
-#include <cli/preset_library.hpp>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -9,6 +7,8 @@
 
 #include <burin/params/read_context.hpp>
 #include <burin/preset/piece.hpp>
+#include <cli/draw_request.hpp>
+#include <cli/preset_library.hpp>
 
 namespace burin::cli {
 

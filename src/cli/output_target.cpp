@@ -1,8 +1,6 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cli/file_io.hpp>
-#include <cli/output_target.hpp>
 #include <filesystem>
 #include <string_view>
 #include <sys/stat.h>
@@ -10,6 +8,9 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+
+#include <cli/file_io.hpp>
+#include <cli/output_target.hpp>
 
 namespace burin::cli {
 

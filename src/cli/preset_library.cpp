@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cli/file_io.hpp>
-#include <cli/preset_library.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -11,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include <burin/base/suggest.hpp>
+#include <cli/file_io.hpp>
+#include <cli/preset_library.hpp>
 
 namespace burin::cli {
 

@@ -1,9 +1,10 @@
-#include <cli/file_io.hpp>
-#include <cli/progress.hpp>
 #include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include <cli/file_io.hpp>
+#include <cli/progress.hpp>
 
 namespace burin::cli {
 

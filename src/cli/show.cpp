@@ -1,8 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cli/command.hpp>
-#include <cli/help.hpp>
-#include <cli/preset_library.hpp>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,6 +7,9 @@
 #include <burin/base/suggest.hpp>
 #include <burin/curves/family.hpp>
 #include <burin/preset/load.hpp>
+#include <cli/command.hpp>
+#include <cli/help.hpp>
+#include <cli/preset_library.hpp>
 
 namespace burin::cli {
 

@@ -1,6 +1,5 @@
 #include <cerrno>
 #include <charconv>
-#include <cli/temporaries.hpp>
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
@@ -11,6 +10,8 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+
+#include <cli/temporaries.hpp>
 
 namespace burin::cli {
 

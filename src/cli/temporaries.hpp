@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cli/file_io.hpp>
 #include <mutex>
 #include <string>
 #include <vector>
+
+#include <cli/file_io.hpp>
 
 namespace burin::cli {
 

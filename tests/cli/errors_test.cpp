@@ -104,6 +104,10 @@ TEST(Errors, TooManyPointsNameTheKnobAndTheOption) {
   expect_refused({"draw", "p.toml", "--all-points", "-D", "levels=200"}, 4, {"levels", "--max-points"});
   expect_refused({"draw", "p.toml", "--all-points", "-D", "levels=4", "--max-points", "256"}, 4, {"--max-points"});
   expect_refused({"draw", "p.toml", "-o", "a.csv", "-D", "levels=1000"}, 4, {"levels", "--max-points"});
+#ifdef BURIN_HAS_CAIRO
+  expect_refused({"draw", "p.toml", "-o", "a.png", "--size", "30000px"}, 4, {"png through cairo", "--max-memory"});
+  expect_refused({"draw", "p.toml", "-o", "a.pdf", "--max-memory", "1"}, 4, {"pdf through cairo", "--max-memory"});
+#endif
   const TemporaryFolder folder;
   EXPECT_EQ(burin_in(folder, {"draw", "koch", "--all-points", "-D", "levels=4", "--max-points", "257"}).code, 0);
 }

@@ -1,9 +1,10 @@
-#include <cli/atomic_file.hpp>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
 
 #include <gtest/gtest.h>
+
+#include <cli/atomic_file.hpp>
 
 #include "cli/tool.hpp"
 

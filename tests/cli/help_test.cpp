@@ -1,8 +1,9 @@
 #include <chrono>
-#include <cli/command.hpp>
 #include <sstream>
 
 #include <gtest/gtest.h>
+
+#include <cli/command.hpp>
 
 #include "cli/tool.hpp"
 

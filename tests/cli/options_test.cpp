@@ -1,7 +1,8 @@
 #include <array>
-#include <cli/options.hpp>
 
 #include <gtest/gtest.h>
+
+#include <cli/options.hpp>
 
 namespace burin::cli {
 namespace {

@@ -1,9 +1,8 @@
-#include <cli/origin.hpp>
-
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
 
 #include <burin/base/random.hpp>
+#include <cli/origin.hpp>
 
 namespace burin::cli {
 namespace {
@@ -33,8 +32,8 @@ TEST(Origin, RandomTextsComeBackToo) {
   }
 }
 
-constexpr BackEnd svg_row{"native", "svg", "", Space::page, false, nullptr, nullptr, nullptr};
-constexpr BackEnd png_row{"cairo", "png", "", Space::page, true, nullptr, nullptr, nullptr};
+constexpr BackEnd svg_row{"native", "svg", "", Space::page, false, nullptr, nullptr, nullptr, nullptr};
+constexpr BackEnd png_row{"cairo", "png", "", Space::page, true, nullptr, nullptr, nullptr, nullptr};
 
 TEST(Origin, HoldsEveryChoiceThatTheOutputDependsOn) {
   DrawRequest request;

@@ -17,13 +17,18 @@ Result<Done> accepts_everything(const Sheet&, const OutputOptions&) {
   return Done{};
 }
 
+/// These writers stream: what they hold does not grow with the drawing.
+double constant_memory(double, const Sheet&, const OutputOptions&) {
+  return 2e6;
+}
+
 constexpr std::array table{
     BackEnd{"native", "svg", "layered SVG in millimetres, for plotters and drawing programs", Space::page, false,
-            svg_tolerance_mm, svg_accepts, open_svg},
+            svg_tolerance_mm, svg_accepts, constant_memory, open_svg},
     BackEnd{"native", "csv", "the vertices in model units, one a row", Space::model, false, shows_everything,
-            accepts_everything, open_csv},
+            accepts_everything, constant_memory, open_csv},
     BackEnd{"native", "dump", "the canonical dump in whole micrometres, to compare drawings", Space::page, false,
-            shows_everything, accepts_everything, open_dump},
+            shows_everything, accepts_everything, constant_memory, open_dump},
 };
 
 }  // namespace

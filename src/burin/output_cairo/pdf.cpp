@@ -72,6 +72,11 @@ std::unique_ptr<OutputSink> open(ByteSink& bytes, const Sheet& sheet, const Outp
   return sink;
 }
 
+/// Cairo keeps the deflated page until it is shown: 12 bytes a segment of a fine curve, measured.
+double memory_bytes(double points, const Sheet&, const OutputOptions&) {
+  return 4e6 + 12.0 * points;
+}
+
 }  // namespace
 
 BackEnd pdf_back_end() {
@@ -82,6 +87,7 @@ BackEnd pdf_back_end() {
           .binary = true,
           .tolerance_mm = tolerance_mm,
           .accepts = accepts,
+          .memory_bytes = memory_bytes,
           .open = open};
 }
 

@@ -98,6 +98,14 @@ std::unique_ptr<OutputSink> open(ByteSink& bytes, const Sheet& sheet, const Outp
   return sink;
 }
 
+/// Four bytes a pixel, and as much again for the group of a layer that lets others shine through.
+double memory_bytes(double, const Sheet& sheet, const OutputOptions& options) {
+  const double pixels = pixel_count(sheet.page.width_mm, options) * pixel_count(sheet.page.height_mm, options);
+  const bool has_group = std::any_of(sheet.layers.begin(), sheet.layers.end(),
+                                     [](const SheetLayer& layer) { return layer.opacity < 1.0; });
+  return 4e6 + (has_group ? 8.0 : 4.0) * pixels;
+}
+
 }  // namespace
 
 BackEnd png_back_end() {
@@ -108,6 +116,7 @@ BackEnd png_back_end() {
           .binary = true,
           .tolerance_mm = tolerance_mm,
           .accepts = accepts,
+          .memory_bytes = memory_bytes,
           .open = open};
 }
 

@@ -67,6 +67,11 @@ std::unique_ptr<OutputSink> open(ByteSink& bytes, const Sheet& sheet, const Outp
   return sink;
 }
 
+/// Cairo keeps the document until it is finished: 33 bytes a segment, measured.
+double memory_bytes(double points, const Sheet&, const OutputOptions&) {
+  return 4e6 + 33.0 * points;
+}
+
 }  // namespace
 
 BackEnd svg_back_end() {
@@ -77,6 +82,7 @@ BackEnd svg_back_end() {
           .binary = false,
           .tolerance_mm = tolerance_mm,
           .accepts = accepts,
+          .memory_bytes = memory_bytes,
           .open = open};
 }
 

@@ -7,6 +7,7 @@
 
 #include <burin/base/bytes.hpp>
 #include <burin/base/result.hpp>
+#include <burin/path/draw_context.hpp>
 #include <burin/path/path_sink.hpp>
 #include <burin/path/sheet.hpp>
 
@@ -47,8 +48,14 @@ struct BackEnd {
   double (*tolerance_mm)(const OutputOptions& options);
   /// What is wrong with this page in this format (too many pixels, for example).
   Result<Done> (*accepts)(const Sheet& sheet, const OutputOptions& options);
+  /// About how much memory a drawing of so many points holds until it is finished, in bytes.
+  double (*memory_bytes)(double points, const Sheet& sheet, const OutputOptions& options);
   /// `bytes` and `sheet` must outlive the sink.
   std::unique_ptr<OutputSink> (*open)(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options);
 };
+
+/// A limit problem when writing this drawing would hold more than `limit_bytes` of memory.
+Result<Done> check_memory(const BackEnd& back_end, const Forecast& forecast, const Sheet& sheet,
+                          const OutputOptions& options, double limit_bytes);
 
 }  // namespace burin
