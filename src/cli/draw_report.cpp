@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
@@ -8,15 +6,6 @@
 namespace burin::cli {
 
 namespace {
-
-/// "1,234,567"; counts that no integer holds as "1.2e+40".
-std::string count_text(double count) {
-  if (!std::isfinite(count)) return "more than 1e308";
-  if (count >= 1e15) return fmt::format("{:.1e}", count);
-  std::string digits = fmt::format("{:.0f}", count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
-}
 
 std::string mm_text(double mm) {
   return fixed_text(mm, 3);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include <burin/base/check.hpp>
 #include <burin/base/number_text.hpp>
 
@@ -28,6 +30,15 @@ std::string fixed_text(double value, int decimals) {
     if (text.back() == '.') text.pop_back();
   }
   return text == "-0" ? "0" : text;
+}
+
+std::string count_text(double count) {
+  constexpr double most_in_digits = 1e15;
+  if (!std::isfinite(count)) return "more than 1e308";
+  if (count >= most_in_digits) return fmt::format("{:.1e}", count);
+  std::string digits = fixed_text(count, 0);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
 }
 
 std::optional<double> parse_number(std::string_view text) {

@@ -103,13 +103,12 @@ constexpr double most_points_unbounded = 5e7;
 Problem no_box(const Layer& layer, std::uint64_t seed) {
   const double asked = layer.family->forecast(layer.parameters, {.seed = seed}, 0.0).asked_points;
   if (asked > most_points_unbounded) {
-    return {
-        {},
-        fmt::format("its curve cannot be fitted to the page: it has {:.3g} points and nothing bounds what its marks "
-                    "generate; lower '{}'",
-                    asked, layer.family->cost_knob),
-        Trouble::limit,
-        {}};
+    return {{},
+            fmt::format("its curve cannot be fitted to the page: it has {} points and nothing bounds what its marks "
+                        "generate; lower '{}'",
+                        count_text(asked), layer.family->cost_knob),
+            Trouble::limit,
+            {}};
   }
   return {{},
           "its curve cannot be fitted to the page: a point of it is not a number, or too far away to compute with; "
@@ -275,13 +274,13 @@ Result<Forecast> Plan::check_size(const RunOptions& options, double max_points) 
       costliest = &placed;
     }
   }
-  return Problem{
-      costliest->layer.where,
-      fmt::format("layer '{}' asks for {:.3g} points and would draw more than {:.0f}; lower '{}', draw coarser "
-                  "(--decimals, --dpi) or raise --max-points",
-                  costliest->layer.style.name, most, max_points, costliest->layer.family->cost_knob),
-      Trouble::limit,
-      {}};
+  return Problem{costliest->layer.where,
+                 fmt::format("layer '{}' asks for {} points and would draw more than {}; lower '{}', draw coarser "
+                             "(--decimals, --dpi) or raise --max-points",
+                             costliest->layer.style.name, count_text(most), count_text(max_points),
+                             costliest->layer.family->cost_knob),
+                 Trouble::limit,
+                 {}};
 }
 
 Flow Plan::run(PathSink& sink, const RunOptions& options) const {

@@ -33,6 +33,15 @@ TEST(NumberText, FixedHasNoExponentAndNoTrailingZeros) {
   EXPECT_EQ(fixed_text(std::numeric_limits<double>::max(), 2).size(), 309U);
 }
 
+TEST(NumberText, CountsAreForPeople) {
+  EXPECT_EQ(count_text(0), "0");
+  EXPECT_EQ(count_text(999), "999");
+  EXPECT_EQ(count_text(1025), "1,025");
+  EXPECT_EQ(count_text(50'000'000), "50,000,000");
+  EXPECT_EQ(count_text(2.58e120), "2.6e+120");
+  EXPECT_EQ(count_text(std::numeric_limits<double>::infinity()), "more than 1e308");
+}
+
 TEST(NumberText, ParsesWholeNumbersOnly) {
   EXPECT_EQ(parse_number("1"), 1.0);
   EXPECT_EQ(parse_number("-.5"), -0.5);
