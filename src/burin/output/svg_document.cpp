@@ -109,8 +109,6 @@ std::string svg_path_begin(const Sheet& sheet, const PathHead& head) {
   const SheetLayer& style = sheet.layers[head.layer];
   std::string xml = "<path";
   if (head.paint != style.paint) xml += paint_text(head.paint, sheet.pens[style.pen].colour);
-  // MuPDF does not pass these on from a group to its paths.
-  if (head.paint == Paint::stroke) xml += ends_and_corners_text(style);
   return xml + " d=\"";
 }
 
