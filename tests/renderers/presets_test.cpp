@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Presets, Shipped, testing::ValuesIn(shipped_presets()),
 
 TEST(TrueSize, OfAnA4PageIsIts) {
   const TemporaryFolder folder;
-  draw(folder, "koch", "page.svg", {"--page", "a4"});
+  draw(folder, "koch", "page.svg", {"--page", "a4", "--landscape"});
   EXPECT_EQ(run_in(folder, {"xmllint", "--xpath", "string(/*/@width)", "page.svg"}).out, "297mm\n");
   EXPECT_EQ(run_in(folder, {"xmllint", "--xpath", "string(/*/@viewBox)", "page.svg"}).out, "0 0 297 210\n");
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,12 @@ namespace {
 
 constexpr std::size_t packed_segments = 1000;
 constexpr std::size_t longest_stroke = 30'000;
-constexpr std::size_t longest_attribute = 9'900'000;
+/// libxml2 gives up when its reading buffer grows beyond 10^7 bytes, and it empties the buffer only when it happens to
+/// run dry between two elements. So no attribute is longer than this, and after so many bytes comes a line of blanks
+/// longer than its reading step of 4000 bytes, in which it must run dry.
+constexpr std::size_t longest_attribute = 7'000'000;
+constexpr std::size_t bytes_between_rests = 2'000'000;
+constexpr std::size_t rest_blanks = 4096;
 
 /// An element is a <path>; it holds pieces. A piece is a contour or, of a stroke that is too long for one element, a
 /// part of it. A piece's text waits until its length tells which element it goes to.
@@ -70,6 +76,7 @@ class SvgSink final : public OutputSink {
   Paint element_paint_ = Paint::stroke;
   std::size_t element_segments_ = 0;
   std::size_t element_bytes_ = 0;
+  std::size_t bytes_since_rest_ = 0;
   GridPoint element_at_;  ///< where the pen is after what is written
 };
 
@@ -212,6 +219,11 @@ void SvgSink::end_contour() {
 void SvgSink::end_element() {
   if (!in_element_) return;
   out_.add("\"/>\n");
+  bytes_since_rest_ += element_bytes_;
+  if (bytes_since_rest_ >= bytes_between_rests) {
+    out_.add(std::string(rest_blanks, ' ') + '\n');
+    bytes_since_rest_ = 0;
+  }
   in_element_ = false;
   element_paint_ = Paint::stroke;
 }

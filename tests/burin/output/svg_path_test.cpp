@@ -212,6 +212,23 @@ TEST(SvgPath, CutsAStrokeAfterThirtyThousandSegments) {
   EXPECT_EQ(at, 70'000U);
 }
 
+TEST(SvgPath, LongFilesRestWhereLibxml2EmptiesItsBuffer) {
+  // Without these lines librsvg gives up at random on files of more than 10 MB.
+  std::vector<Vec2> zigzag;
+  for (int i = 0; i < 800'000; ++i) zigzag.push_back({100.0 + 0.0001 * i, i % 2 == 0 ? 10.0 : 20.123});
+  const std::string text = svg_of(plain_sheet(), {stroke(zigzag)}).text;
+  const std::string rest = '\n' + std::string(4096, ' ') + '\n';
+  std::size_t before = 0;
+  int rests = 0;
+  for (std::size_t at = text.find(rest); at != std::string::npos; at = text.find(rest, at + 1)) {
+    EXPECT_LT(at - before, 2'500'000U);
+    before = at;
+    ++rests;
+  }
+  EXPECT_LT(text.size() - before, 2'500'000U);
+  EXPECT_GT(rests, 1);
+}
+
 TEST(SvgPath, AClosedStrokeThatIsCutReturnsByALine) {
   const std::vector<Vec2> points = zigzag(40'000);
   const auto data = data_of(svg_of(plain_sheet(), {stroke(points, true)}).text);
@@ -254,7 +271,7 @@ TEST(SvgPath, StrokesWhoseCutWouldShowStayWholeUpToTheLimitOfLibrsvg) {
   const auto data = data_of(svg_of(sheet, {stroke(wide)}).text);
   ASSERT_EQ(data.size(), 2U);
   for (const std::string& part : data) EXPECT_LT(part.size(), 10'000'000U);
-  EXPECT_GT(data[0].size(), 9'500'000U);
+  EXPECT_GT(data[0].size(), 6'900'000U);  // and leaves room for what is read before it
 }
 
 TEST(SvgPath, FillsAreNeverCutOrPacked) {
