@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
+#include <burin/base/xml_text.hpp>
 #include <burin/output/svg_document.hpp>
-#include <burin/output/xml_text.hpp>
 
 namespace burin::output {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <burin/output_cairo/origin_text.hpp>
+#include <burin/base/xml_text.hpp>
 #include <burin/output_cairo/svg_text.hpp>
 
 namespace burin::output_cairo {
@@ -10,36 +10,6 @@ namespace burin::output_cairo {
 namespace {
 
 constexpr std::string_view surface_id = "surface";
-
-std::string xml_text(std::string_view text) {
-  std::string xml;
-  for (const char c : carried_text(text)) {
-    switch (c) {
-      case '&':
-        xml += "&amp;";
-        break;
-      case '<':
-        xml += "&lt;";
-        break;
-      case '>':
-        xml += "&gt;";
-        break;
-      case '\r':  // a reader turns a bare one into a line feed
-        xml += "&#13;";
-        break;
-      default:
-        xml += c;
-    }
-  }
-  return xml;
-}
-
-/// The record as the native SVG has it: its backslashes doubled.
-std::string xml_record(std::string_view record) {
-  std::string doubled;
-  for (const char c : record) doubled.append(c == '\\' ? 2 : 1, c);
-  return xml_text(doubled);
-}
 
 std::size_t digit_count(std::string_view text) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -94,7 +64,7 @@ bool SvgText::write_origin() {
   xml += "<metadata xmlns:dc=\"http://purl.org/dc/elements/1.1/\" xmlns:burin=\"urn:x-burin:origin\">\n";
   if (!origin_.author.empty()) xml += fmt::format("<dc:creator>{}</dc:creator>\n", xml_text(origin_.author));
   if (!origin_.record.empty()) {
-    xml += fmt::format("<burin:origin xml:space=\"preserve\">{}</burin:origin>\n", xml_record(origin_.record));
+    xml += fmt::format("<burin:origin xml:space=\"preserve\">{}</burin:origin>\n", xml_exact_text(origin_.record));
   }
   xml += "</metadata>\n";
   return to_.write(xml);

@@ -39,7 +39,7 @@ TEST(CairoSvg, CarriesTheOrigin) {
   const std::string svg = drawn("svg", sheet, draw_cross);
   EXPECT_TRUE(has(svg, "<title>A &amp; B</title>\n<desc>x &lt; y</desc>\n<metadata ")) << svg;
   EXPECT_TRUE(has(svg, "<dc:creator>Ren\xC3\xA9</dc:creator>")) << svg;
-  EXPECT_TRUE(has(svg, "preserve\">a = \"\\\\n\"&#13;\nsurface9 = 1\n</burin:origin>")) << svg;
+  EXPECT_TRUE(has(svg, "preserve\">a = &quot;\\\\n&quot;&#13;\nsurface9 = 1\n</burin:origin>")) << svg;
   EXPECT_LT(svg.find("<svg"), svg.find("<title>"));
   EXPECT_LT(svg.find("</metadata>"), svg.find("<g id"));
 }

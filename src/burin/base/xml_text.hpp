@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace burin::output {
+namespace burin {
 
 /// `text` for a quoted attribute or between tags. What XML 1.0 cannot hold (most control characters, bytes that are no
 /// UTF-8) becomes U+FFFD.
@@ -13,4 +13,4 @@ std::string xml_text(std::string_view text);
 /// XML cannot hold is written as "\x" and two hexadecimal digits.
 std::string xml_exact_text(std::string_view text);
 
-}  // namespace burin::output
+}  // namespace burin

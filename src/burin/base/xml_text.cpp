@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <burin/output/xml_text.hpp>
+#include <burin/base/xml_text.hpp>
 
-namespace burin::output {
+namespace burin {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::string xml_exact_text(std::string_view text) {
   return xml;
 }
 
-}  // namespace burin::output
+}  // namespace burin

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <burin/output/xml_text.hpp>
+#include <burin/base/xml_text.hpp>
 
 #include "support/svg_reader.hpp"
 
-namespace burin::output {
+namespace burin {
 namespace {
 
 TEST(XmlText, EscapesWhatMarksUp) {
@@ -42,4 +42,4 @@ TEST(XmlExactText, EveryPairOfBytesReadsBack) {
 }
 
 }  // namespace
-}  // namespace burin::output
+}  // namespace burin
