@@ -43,14 +43,16 @@ json generator_params(const json& generator, int levels) {
 }
 
 TEST(TwoPointBounds, LimitBoxesAreTheReferences) {
-  for (const auto& [name, generator] : testing::reference("curves.json")["A_generators"].items()) {
+  const json generators = testing::reference("curves.json")["A_generators"];
+  for (const auto& [name, generator] : generators.items()) {
     if (generator["bbox_kind"] != "exact") continue;
     expect_near(box_of(two_point(generator_params(generator, 1000).dump())), box_from(generator["bbox"]), 1e-9, name);
   }
 }
 
 TEST(TwoPointBounds, TheCullingRadiusLiesWithinTheReferencesBounds) {
-  for (const auto& [name, generator] : testing::reference("curves.json")["A_generators"].items()) {
+  const json generators = testing::reference("curves.json")["A_generators"];
+  for (const auto& [name, generator] : generators.items()) {
     const TwoPointParams params = two_point(generator_params(generator, 1).dump());
     const two_point::BlockTables tables = two_point::make_block_tables(*two_point::make_automaton(params.motif, {}));
     EXPECT_GE(tables.reach, generator["disc_lower"].get<double>() - 1e-12) << name;
