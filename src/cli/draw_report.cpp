@@ -40,4 +40,10 @@ std::string piece_report(const preset::Plan& plan, const ReadPiece& piece, bool 
   return text;
 }
 
+ExitCode tell_problems(const DrawOutcome& outcome, std::string_view command, const Console& console) {
+  if (outcome.problems.empty()) return outcome.code;
+  if (outcome.code == ExitCode::usage) return console.fail_usage(outcome.problems, command);
+  return console.fail(outcome.problems);
+}
+
 }  // namespace burin::cli

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
+#include <cli/console.hpp>
 #include <cli/draw_output.hpp>
+#include <cli/draw_run.hpp>
 #include <cli/origin.hpp>
 
 namespace burin::cli {
@@ -12,5 +15,8 @@ std::string output_report(const OutputJob& job, const OutputCounts& counts);
 
 /// Page, pens and seed in a few lines, the same for all outputs; `verbose` adds layers and data files.
 std::string piece_report(const preset::Plan& plan, const ReadPiece& piece, bool verbose);
+
+/// The problems of a drawing that failed, on stderr; returns its exit code. `command`: whose help tells more.
+ExitCode tell_problems(const DrawOutcome& outcome, std::string_view command, const Console& console);
 
 }  // namespace burin::cli

@@ -21,6 +21,7 @@ struct RequestedOutput {
 
 /// What `burin draw` was asked for, checked as far as that goes without the preset.
 struct DrawRequest {
+  std::string command = "burin draw";  ///< where problems of the command line are
   std::string preset;
   std::vector<RequestedOutput> outputs;
   preset::Overrides overrides;

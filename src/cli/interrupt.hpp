@@ -6,6 +6,8 @@
 #include <stop_token>
 #include <thread>
 
+#include <cli/exit_code.hpp>
+
 namespace burin::cli {
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP (its terminal was closed) requests a stop; the second one calls
@@ -22,6 +24,8 @@ class Interrupt {
   std::stop_token stop() const { return stop_.get_token(); }
   /// The signal that came, or 0.
   int signal() const { return signal_; }
+  /// How a tool ends that was stopped. Pre: a signal came.
+  ExitCode exit_code() const { return static_cast<ExitCode>(128 + signal_); }
 
  private:
   void watch(const std::function<void()>& at_second);

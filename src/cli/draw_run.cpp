@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <burin/base/suggest.hpp>
+#include <cli/draw_output.hpp>
+#include <cli/draw_report.hpp>
+#include <cli/draw_run.hpp>
+
+namespace burin::cli {
+
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A layer that --only or --skip names and the piece lacks.
+Problems unknown_layers(const Sheet& sheet, const DrawRequest& request) {
+  std::vector<std::string_view> names;
+  for (const SheetLayer& layer : sheet.layers) {
+    if (std::find(names.begin(), names.end(), layer.name) == names.end()) names.push_back(layer.name);
+  }
+  Problems problems;
+  for (const auto& [option, wanted] : {std::pair("--only", request.only), std::pair("--skip", request.skip)}) {
+    for (const std::string& name : wanted) {
+      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+      problems.push_back(
+          {{request.command}, fmt::format("{}: there is no layer '{}'{}", option, name, suggestion(name, names))});
+    }
+  }
+  return problems;
+}
+
+/// Every output with all that is known before it is opened.
+Result<std::vector<OutputJob>> make_jobs(const ReadyPiece& piece, const DrawRequest& request,
+                                         const std::stop_token& stop) {
+  const preset::Plan& plan = piece.plan;
+  std::vector<OutputJob> jobs;
+  for (const RequestedOutput& output : request.outputs) {
+    OutputJob job;
+    job.back_end = output.back_end;
+    job.path = output.path.empty() ? fmt::format("{}.{}", piece.preset.stem, output.back_end->format) : output.path;
+    job.options = output_options(request, plan.sheet().page);
+    if (Result<Done> accepted = job.back_end->accepts(plan.sheet(), job.options); !accepted) return accepted.problems();
+    const bool every_point = request.all_points || job.back_end->space == Space::model;
+    job.run.space = job.back_end->space;
+    job.run.tolerance_mm = every_point ? 0.0 : job.back_end->tolerance_mm(job.options);
+    job.run.wanted = [&request](const SheetLayer& layer) {
+      return (request.only.empty() || contains(request.only, layer.name)) && !contains(request.skip, layer.name);
+    };
+    job.run.stop = stop;
+    const Result<Forecast> forecast = plan.check_size(job.run, request.max_points);
+    if (!forecast) return forecast.problems();
+    const Result<Done> fits =
+        check_memory(*job.back_end, *forecast, plan.sheet(), job.options, request.max_memory_mb * 1e6);
+    if (!fits) return fits.problems();
+    job.forecast = *forecast;
+    job.origin = make_origin(request, *job.back_end, piece.preset, piece.read);
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+/// Opens every output before the first is drawn, so that a folder that cannot be written to costs no time.
+Result<std::vector<std::unique_ptr<AtomicFile>>> open_files(const std::vector<OutputJob>& jobs,
+                                                            const Surroundings& around) {
+  std::vector<std::unique_ptr<AtomicFile>> files;
+  Problems problems;
+  for (const OutputJob& job : jobs) {
+    Result<std::unique_ptr<AtomicFile>> file = AtomicFile::open(job.path, around.temporaries, around.stop);
+    if (file) {
+      files.push_back(*std::move(file));
+    } else {
+      problems.insert(problems.end(), file.problems().begin(), file.problems().end());
+    }
+  }
+  if (!problems.empty()) return problems;
+  return files;
+}
+
+}  // namespace
+
+DrawOutcome DrawOutcome::failed(Problems problems) {
+  const ExitCode code = exit_code(problems);
+  return {code, std::move(problems)};
+}
+
+Result<ReadyPiece> make_ready(PresetText preset, const preset::Overrides& overrides, const ReadFile& read_file) {
+  Result<preset::Piece> piece = preset::load(preset.source, overrides, read_file);
+  if (!piece) return piece.problems();
+  ReadPiece read{piece->about, piece->seed, piece->data};
+  Result<preset::Plan> plan = preset::Plan::make(*std::move(piece));
+  if (!plan) return with_source(plan.problems(), preset);
+  return ReadyPiece{std::move(preset), std::move(read), *std::move(plan)};
+}
+
+DrawOutcome draw_piece(const ReadyPiece& piece, const DrawRequest& request, const Surroundings& around) {
+  if (Problems unknown = unknown_layers(piece.plan.sheet(), request); !unknown.empty()) {
+    return DrawOutcome::misused(std::move(unknown));
+  }
+  const Result<std::vector<OutputJob>> jobs = make_jobs(piece, request, around.stop);
+  if (!jobs) return DrawOutcome::failed(with_source(jobs.problems(), piece.preset));
+  const Result<std::vector<std::unique_ptr<AtomicFile>>> files = open_files(*jobs, around);
+  if (around.stop.stop_requested()) return {ExitCode::interrupted};
+  if (!files) return DrawOutcome::failed(files.problems());
+
+  DrawOutcome outcome;
+  for (std::size_t i = 0; i < jobs->size(); ++i) {
+    const OutputJob& job = (*jobs)[i];
+    AtomicFile& file = *(*files)[i];
+    if (job.back_end->binary && file.is_terminal()) {
+      const std::string advice = fmt::format("{} is not for terminals; write a file (-o NAME.{}) or a pipe",
+                                             job.back_end->format, job.back_end->format);
+      return DrawOutcome::misused({Problem{{request.command}, advice}});
+    }
+    const Result<OutputCounts> counts = draw_output(piece.plan, job, file, around.live);
+    if (around.stop.stop_requested()) return {ExitCode::interrupted};
+    if (!counts && file.lost_reader()) return {ExitCode::output};
+    if (!counts) return DrawOutcome::failed(counts.problems());
+    outcome.report += output_report(job, *counts);
+  }
+  return outcome;
+}
+
+}  // namespace burin::cli

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+
+#include <burin/preset/plan.hpp>
+#include <cli/draw_request.hpp>
+#include <cli/exit_code.hpp>
+#include <cli/origin.hpp>
+#include <cli/preset_library.hpp>
+#include <cli/temporaries.hpp>
+
+/// From a preset's text to finished files. Nothing here prints, but for the progress that `Surroundings` allows, and
+/// everything may be called from several threads at once.
+namespace burin::cli {
+
+/// A preset that has been read, checked and fitted to its page.
+struct ReadyPiece {
+  PresetText preset;
+  ReadPiece read;
+  preset::Plan plan;
+};
+
+/// Reads and plans. Every problem has the line of the preset it points to.
+Result<ReadyPiece> make_ready(PresetText preset, const preset::Overrides& overrides, const ReadFile& read_file);
+
+/// What a drawing shares with all others of this run of the tool.
+struct Surroundings {
+  Temporaries& temporaries;
+  std::stop_token stop;
+  bool live = false;  ///< show on stderr how far it is
+};
+
+/// How a drawing ended.
+struct DrawOutcome {
+  ExitCode code = ExitCode::done;  ///< `interrupted`, without problems, after a stop
+  Problems problems{};             ///< also none when a pipe lost its reader
+  std::string report{};            ///< a line for each output that was finished
+
+  static DrawOutcome failed(Problems problems);
+  /// A wrong command line.
+  static DrawOutcome misused(Problems problems) { return {ExitCode::usage, std::move(problems)}; }
+};
+
+/// Draws every output that the request asks for. All are checked and opened before the first is drawn; after a problem
+/// those that are finished stay, and of the others no trace is left.
+DrawOutcome draw_piece(const ReadyPiece& piece, const DrawRequest& request, const Surroundings& around);
+
+}  // namespace burin::cli
