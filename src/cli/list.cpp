@@ -6,6 +6,8 @@
 
 #include <burin/base/suggest.hpp>
 #include <burin/curves/family.hpp>
+#include <burin/curves/two_point/dimension.hpp>
+#include <burin/curves/two_point/named_motifs.hpp>
 #include <burin/path/colour.hpp>
 #include <burin/preset/load.hpp>
 #include <cli/command.hpp>
@@ -20,6 +22,7 @@ namespace {
 
 constexpr std::array examples{
     Example{"burin list", "the shipped presets, with titles"},
+    Example{"burin list motifs", "motifs by name, with their dimensions"},
     Example{"burin list formats", "what burin can write"},
 };
 
@@ -50,6 +53,21 @@ std::string list_families() {
   return table_text(rows);
 }
 
+/// Name, dimension and summary; other names in brackets.
+std::string list_motifs() {
+  namespace two_point = curves::two_point;
+  Rows rows;
+  for (const two_point::NamedMotif& row : two_point::named_motifs()) {
+    std::string text(row.summary);
+    if (const auto dimension = two_point::similarity_dimension(two_point::motif_from(row))) {
+      text = fmt::format("D {:.3f}  {}", *dimension, text);
+    }
+    if (!row.alias.empty()) text += fmt::format(" (or {})", row.alias);
+    rows.emplace_back(row.name, text);
+  }
+  return table_text(rows);
+}
+
 std::string list_formats() {
   Rows rows;
   for (const BackEnd* row : all_back_ends()) {
@@ -76,7 +94,8 @@ struct Topic {
 };
 
 constexpr std::array topics{Topic{"presets", &list_presets}, Topic{"families", &list_families},
-                            Topic{"formats", &list_formats}, Topic{"colors", &list_colours}};
+                            Topic{"motifs", &list_motifs}, Topic{"formats", &list_formats},
+                            Topic{"colors", &list_colours}};
 
 ExitCode run(const Arguments& arguments, const Console& console) {
   const std::vector<std::string>& words = arguments.words();
@@ -98,8 +117,8 @@ ExitCode run(const Arguments& arguments, const Console& console) {
 
 Command list_command() {
   return {"list",
-          "list presets, families, formats or colors",
-          "[presets|families|formats|colors]",
+          "list presets, families, motifs, formats or colors",
+          "[presets|families|motifs|formats|colors]",
           "Presets are looked up in the folders of $BURIN_PATH, in $XDG_DATA_HOME/burin/presets, and among those that "
           "came with burin.",
           {},

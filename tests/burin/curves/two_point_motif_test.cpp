@@ -19,11 +19,14 @@ std::string motif_complaint(const std::string& motif) {
 }
 
 TEST(TwoPointMotif, EveryWayToWriteOneIsRead) {
-  for (const char* motif : {R"("koch")", R"({"marks": [[0.5, 0.5]]})", R"({"points": [[0, 0], [1, 2], [3, 0]]})",
-                            R"({"turtle": "F+F--F+F", "angle": 60})", R"({"by_edge": [[[0.5, 0.1]], [[0.5, 0.2]]]})",
-                            R"({"by_level": ["koch", {"marks": [[0.5, "sqrt(3)/6"]]}], "sign": "level"})",
-                            R"({"marks": [[0.5, 0.5]], "flip": [0, 1], "reverse": [1, 0]})",
-                            R"({"marks": [["1/3", {"random": [0, "1/2"]}]], "beta": "absolute", "decay": 0.5})"}) {
+  for (const char* motif :
+       {R"("koch")", R"({"marks": [[0.5, 0.5]]})", R"({"points": [[0, 0], [1, 2], [3, 0]]})",
+        R"({"turtle": "F+F--F+F", "angle": 60})", R"({"name": "cesaro", "angle": 60})",
+        R"({"name": "gosper", "reverse": "A"})", R"({"name": "koch", "sign": "edge", "decay": 0.9})",
+        R"({"by_edge": [[[0.5, 0.1]], [[0.5, 0.2]]]})",
+        R"({"by_level": ["koch", {"marks": [[0.5, "sqrt(3)/6"]]}], "sign": "level"})",
+        R"({"marks": [[0.5, 0.5]], "flip": [0, 1], "reverse": [1, 0]})",
+        R"({"marks": [["1/3", {"random": [0, "1/2"]}]], "beta": "absolute", "decay": 0.5})"}) {
     EXPECT_EQ(motif_complaint(motif), "") << motif;
   }
 }
@@ -32,9 +35,9 @@ TEST(TwoPointMotif, MistakesAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {R"("kock")", "no motif 'kock'; did you mean 'koch'?"},
       {R"(7)", "expected the name of a motif or a table, found a whole number"},
-      {R"({})", "exactly one of 'marks'"},
-      {R"({"marks": []})", "exactly one of 'marks'"},
-      {R"({"marks": [[0.5, 0.5]], "turtle": "F+F"})", "exactly one of 'marks'"},
+      {R"({})", "exactly one of 'name', 'marks'"},
+      {R"({"marks": []})", "exactly one of 'name', 'marks'"},
+      {R"({"marks": [[0.5, 0.5]], "turtle": "F+F"})", "exactly one of 'name', 'marks'"},
       {R"({"marks": [[0.5]]})", "expected a mark [alpha, beta]"},
       {R"j({"marks": [[0.5, "0.3*("]]})j", ""},
       {R"({"marks": [[0.5, "levle"]]})", "did you mean 'level'?"},
@@ -53,6 +56,14 @@ TEST(TwoPointMotif, MistakesAreNamed) {
       {R"({"points": [[0, 0], [1, 0]]})", "at least one mark"},
       {R"({"turtle": "F+F*F"})", "found '*'"},
       {R"({"turtle": "F"})", "at least one mark"},
+      {R"({"name": "kock"})", "no motif 'kock'; did you mean 'koch'?"},
+      {R"({"name": "koch", "marks": [[0.5, 0.5]]})", "exactly one of 'name'"},
+      {R"({"name": "fret", "angle": 80})", "'fret' is made of points and has no 'angle'"},
+      {R"({"name": "koch", "angle": 180})", "with this angle 'koch' ends where it begins"},
+      {R"({"name": "koch", "angle": 400})", "outside [-360, 360]"},
+      {R"({"name": "koch", "flip": [1, 0]})", "one flag for each of the 4 sub-edges, found 2"},
+      {R"({"name": "dragon", "decay": 0.5})", "use 'sign' with"},
+      {R"({"marks": [[0.5, 0.5]], "angle": 60})", "'angle' belongs to a 'turtle' word or a 'name'"},
       {R"({"by_edge": [[[0.5, 0]], [[0.3, 0], [0.6, 0]]]})", "equally long"},
       {R"({"by_level": ["dragon"]})", "use a sign rule"},
       {R"({"marks": [[0.5, 0.5]], "decay": 0})", "outside (0, 10]"},

@@ -51,12 +51,20 @@ TEST(TwoPoint, CountsAndLengthsOfOneEdge) {
               {"levy", 2, std::sqrt(2.0)},
               {"dragon", 2, std::sqrt(2.0)},
               {"terdragon", 3, std::sqrt(3.0)},
-              {"sierpinski", 3, 1.5}};
+              {"sierpinski", 3, 1.5},
+              {"quad5", 5, 5.0 / 3},
+              {"quad18", 18, 3},
+              {"quad32", 32, 4},
+              {"r5dragon", 5, std::sqrt(5.0)},
+              {"gosper", 7, std::sqrt(7.0)},
+              {"peano9", 9, 3},
+              {"hilbert4", 4, 2}};
   for (const auto& row : rows) {
-    for (int level = 0; level <= 5; ++level) {
+    for (int level = 0; std::pow(row.k, level) <= 40000; ++level) {
       const std::vector<Vec2> points = curve(row.motif, level);
       EXPECT_EQ(static_cast<double>(points.size()), std::pow(row.k, level) + 1) << row.motif;
-      EXPECT_NEAR(polyline_length(points), std::pow(row.factor, level), 1e-11) << row.motif;
+      const double length = std::pow(row.factor, level);
+      EXPECT_NEAR(polyline_length(points), length, 1e-12 * length) << row.motif;
     }
   }
 }
@@ -112,25 +120,33 @@ TEST(TwoPoint, TurningSequences) {
   check("terdragon", 6, 3, [](std::size_t, Valuation v) { return v.q % 3 == 1 ? 120.0 : -120.0; });
   check("sierpinski", 6, 3,
         [](std::size_t, Valuation v) { return (6 - v.z + static_cast<int>((v.q + 2) / 3)) % 2 == 0 ? 60.0 : -60.0; });
-  const std::vector<Vec2> levy = curve("levy", 8);
-  for (std::size_t n = 1; n + 1 < levy.size(); ++n) {
-    const double expected = 90.0 * (1 - valuation(n, 2).z);
-    const double difference = std::remainder(turn_degrees(levy, n) - expected, 360.0);
-    EXPECT_NEAR(difference, 0.0, 1e-6) << n;
+  check("r5dragon", 5, 5, [](std::size_t, Valuation v) { return v.q % 5 <= 2 ? 90.0 : -90.0; });
+  check("altpaper", 10, 2, [](std::size_t n, Valuation v) {
+    return (n >> (v.z + 1)) % 2 == static_cast<std::size_t>((v.z + 9) % 2) ? 90.0 : -90.0;
+  });
+  // With half turns, where + and - 180 degrees are the same.
+  const auto check_modulo = [](const char* motif, int levels, auto expected) {
+    const std::vector<Vec2> points = curve(motif, levels);
+    for (std::size_t n = 1; n + 1 < points.size(); ++n) {
+      const double difference = std::remainder(turn_degrees(points, n) - expected(valuation(n, 2).z), 360.0);
+      EXPECT_NEAR(difference, 0.0, 1e-6) << motif << " vertex " << n;
+    }
+  };
+  check_modulo("levy", 8, [](int z) { return 90.0 * (1 - z); });
+  for (const int levels : {9, 10}) {
+    check_modulo("polya", levels, [&](int z) { return z % 2 == 1 ? 180.0 : levels % 2 == 1 ? 90.0 : -90.0; });
   }
 }
 
 TEST(TwoPoint, DistinctVertices) {
   const json expected = testing::reference("curves.json")["A_distinct_vertices"];
-  const std::pair<const char*, const char*> names[] = {
-      {"dragon", "heighway"}, {"levy", "levy"}, {"terdragon", "terdragon"}};
-  for (const auto& [motif, reference_name] : names) {
-    for (std::size_t level = 1; level <= expected[reference_name].size(); ++level) {
+  for (const auto& [motif, counts] : expected.items()) {
+    for (std::size_t level = 1; level <= counts.size(); ++level) {
       std::set<std::pair<long long, long long>> distinct;
       for (const Vec2 p : curve(motif, static_cast<int>(level))) {
         distinct.emplace(std::llround(p.x * 1e9), std::llround(p.y * 1e9));
       }
-      EXPECT_EQ(distinct.size(), expected[reference_name][level - 1].get<std::size_t>()) << motif << level;
+      EXPECT_EQ(distinct.size(), counts[level - 1].get<std::size_t>()) << motif << level;
     }
   }
 }

@@ -34,13 +34,28 @@ void expect_generator(const json& generator, json params) {
 
 TEST(TwoPointVectors, TheNamedMotifsAreTheReferencesGenerators) {
   const json generators = testing::reference("curves.json")["A_generators"];
-  const std::pair<const char*, const char*> names[] = {
-      {"koch", "koch"},         {"minkowski", "minkowski"},  {"dragon", "heighway"},
-      {"heighway", "heighway"}, {"sierpinski", "arrowhead"}, {"arrowhead", "arrowhead"},
-      {"levy", "levy"},         {"terdragon", "terdragon"}};
-  for (const auto& [name, reference_name] : names) {
+  for (const auto& [name, generator] : generators.items()) {
     SCOPED_TRACE(name);
-    expect_generator(generators[reference_name], {{"motif", name}});
+    expect_generator(generator, {{"motif", name == "cesaro85" ? "cesaro" : name}});
+  }
+}
+
+TEST(TwoPointVectors, ThePrintedVariantsGoByAName) {
+  const json rules = testing::reference("curves.json")["A_rules"];
+  const std::pair<const char*, const char*> names[] = {{"printed_koch_literal", "koch-printed"},
+                                                       {"printed_minkowski_literal", "minkowski-printed"},
+                                                       {"printed_dragon_literal", "dragon-printed"},
+                                                       {"printed_dragon_rule", "dragon-printed-sign"}};
+  for (const auto& [reference_name, name] : names) {
+    SCOPED_TRACE(name);
+    const json& rule = rules[reference_name];
+    json params = {{"motif", name}};
+    for (std::size_t level = 1; level <= rule["levels"].size(); ++level) {
+      params["levels"] = level;
+      expect_points(draw_points(two_point(params.dump())), rule["levels"][level - 1]);
+    }
+    params["levels"] = rule["high_level"];
+    expect_summary(draw_points(two_point(params.dump())), false, rule["high"]);
   }
 }
 

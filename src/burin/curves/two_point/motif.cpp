@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include <burin/base/math.hpp>
 #include <burin/curves/base_shape.hpp>
 #include <burin/curves/two_point/motif.hpp>
+#include <burin/curves/two_point/named_motifs.hpp>
+#include <burin/curves/two_point/vertices.hpp>
 #include <burin/params/fields.hpp>
 
 namespace burin::curves::two_point {
@@ -53,12 +52,15 @@ struct Flags {
   std::string letters;
 };
 
+constexpr double right_angle = 90.0;
+
 /// The keys of a motif written as a table.
 struct MotifSpec {
+  std::string name;
   std::vector<Mark> marks;
   std::vector<Vec2> points;
   std::string turtle;
-  double angle = 90.0;
+  std::optional<double> angle;
   std::vector<std::vector<Mark>> by_edge;
   std::vector<Motif> by_level;
   std::optional<SignRule> sign;
@@ -70,10 +72,12 @@ struct MotifSpec {
   static constexpr auto fields() {
     using params::field;
     return std::tuple{
+        field("name", &MotifSpec::name, "a named motif, to be changed by the keys beside it"),
         field("marks", &MotifSpec::marks, "[[alpha, beta], ...]: along the edge, to the right of it"),
         field("points", &MotifSpec::points, "[[x, y], ...]: its vertices from first to last, y up"),
         field("turtle", &MotifSpec::turtle, "letters draw, + turns left, - turns right by `angle`"),
-        field("angle", &MotifSpec::angle, {-360.0, 360.0}, "turn of + and - in degrees"),
+        field("angle", &MotifSpec::angle, {-360.0, 360.0},
+              "turn of + and - in degrees; unset: 90, or the named motif's own"),
         field("by_edge", &MotifSpec::by_edge, "lists of marks for the edges in turn"),
         field("by_level", &MotifSpec::by_level, "motifs for the levels in turn"),
         field("sign", &MotifSpec::sign, "sign of beta over the whole sequence"),
@@ -169,64 +173,68 @@ std::vector<params::FieldInfo> motif_fields() {
 
 namespace {
 
-Amount constant(double value) {
-  return {value, value, std::nullopt};
+bool report_unknown_motif(const std::string& name, const Where& where, params::ReadContext& context) {
+  std::vector<std::string_view> known;
+  for (const NamedMotif& row : named_motifs()) known.push_back(row.name);
+  context.report(where, fmt::format("no motif '{}'{}; 'burin list motifs' names them", name, suggestion(name, known)));
+  return false;
 }
 
-/// Marks from vertices: divided by the chord, alpha = Re, beta = -Im. Nothing when first and last coincide.
-std::optional<std::vector<Mark>> marks_from_vertices(const std::vector<Vec2>& vertices) {
-  const Vec2 chord = vertices.back() - vertices.front();
-  const double norm = length_squared(chord);
-  if (norm == 0.0) return std::nullopt;
-  std::vector<Mark> marks;
-  for (std::size_t j = 1; j + 1 < vertices.size(); ++j) {
-    const Vec2 p = vertices[j] - vertices.front();
-    marks.push_back({constant(dot(p, chord) / norm), constant(-cross(chord, p) / norm)});
-  }
-  return marks;
-}
-
-/// The vertices a turtle visits, and the letter that drew each edge.
-struct TurtlePath {
-  std::vector<Vec2> vertices{{0.0, 0.0}};
-  std::string letters;
-};
-
-std::optional<TurtlePath> walk_turtle(const std::string& word, double angle_degrees, const Where& where,
+std::optional<TurtlePath> read_turtle(const std::string& word, double angle_degrees, const Where& where,
                                       params::ReadContext& context) {
   constexpr std::size_t longest_word = 4096;
-  TurtlePath path;
-  int heading = 0;
   if (word.size() > longest_word) {
     context.report(where, fmt::format("a turtle word has at most {} characters", longest_word));
     return std::nullopt;
   }
-  for (const char c : word) {
-    if (c == '+') {
-      ++heading;
-    } else if (c == '-') {
-      --heading;
-    } else if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-      const double degrees = angle_degrees * heading;
-      path.vertices.push_back(path.vertices.back() + Vec2{math::cos_degrees(degrees), math::sin_degrees(degrees)});
-      path.letters += c;
-    } else if (c != ' ') {
-      context.report(where, fmt::format("a turtle word is made of letters, + and -; found '{}'", c));
-      return std::nullopt;
-    }
+  const auto strange = std::find_if_not(word.begin(), word.end(), &is_turtle_step);
+  if (strange != word.end()) {
+    context.report(where, fmt::format("a turtle word is made of letters, + and -; found '{}'", *strange));
+    return std::nullopt;
   }
-  return path;
+  return walk_turtle(word, angle_degrees);
+}
+
+/// The motif that the table names, with its angle, and what the table says in place of the row's flags and sign.
+bool read_named(const MotifSpec& spec, const Where& where, Motif& motif, std::string& letters,
+                params::ReadContext& context) {
+  const NamedMotif* row = find_motif(spec.name);
+  if (row == nullptr) return report_unknown_motif(spec.name, where, context);
+  if (spec.angle && row->turtle.empty()) {
+    context.report(where, fmt::format("the motif '{}' is made of points and has no 'angle'", row->name));
+    return false;
+  }
+  const double angle = spec.angle.value_or(row->angle_degrees);
+  if (!row->turtle.empty()) {
+    const TurtlePath path = walk_turtle(row->turtle, angle);
+    if (path.vertices.front() == path.vertices.back()) {
+      context.report(where, fmt::format("with this angle '{}' ends where it begins", row->name));
+      return false;
+    }
+    letters = path.letters;
+  }
+  motif = motif_from(*row, angle);
+  if (spec.sign) {
+    motif.flip.clear();
+    motif.reverse.clear();
+  }
+  return true;
 }
 
 /// Reads the one source of marks that the table has into `motif.by_level`; the letters of a turtle word into `letters`.
 bool read_marks(const MotifSpec& spec, const Where& where, Motif& motif, std::string& letters,
                 params::ReadContext& context) {
-  const int sources = int{!spec.marks.empty()} + int{!spec.points.empty()} + int{!spec.turtle.empty()} +
-                      int{!spec.by_edge.empty()} + int{!spec.by_level.empty()};
+  const int sources = int{!spec.name.empty()} + int{!spec.marks.empty()} + int{!spec.points.empty()} +
+                      int{!spec.turtle.empty()} + int{!spec.by_edge.empty()} + int{!spec.by_level.empty()};
   if (sources != 1) {
-    context.report(where, "a motif needs exactly one of 'marks', 'points', 'turtle', 'by_edge' and 'by_level'");
+    context.report(where, "a motif needs exactly one of 'name', 'marks', 'points', 'turtle', 'by_edge' and 'by_level'");
     return false;
   }
+  if (spec.angle && spec.name.empty() && spec.turtle.empty()) {
+    context.report(where, "'angle' belongs to a 'turtle' word or a 'name'");
+    return false;
+  }
+  if (!spec.name.empty()) return read_named(spec, where, motif, letters, context);
   if (!spec.by_level.empty()) {
     for (const Motif& level : spec.by_level) {
       if (level.by_level.size() != 1 || level.has_flags() || level.sign || level.absolute || level.decay != 1.0) {
@@ -241,7 +249,7 @@ bool read_marks(const MotifSpec& spec, const Where& where, Motif& motif, std::st
   }
   std::vector<Vec2> vertices = spec.points;
   if (!spec.turtle.empty()) {
-    std::optional<TurtlePath> path = walk_turtle(spec.turtle, spec.angle, where, context);
+    std::optional<TurtlePath> path = read_turtle(spec.turtle, spec.angle.value_or(right_angle), where, context);
     if (!path) return false;
     vertices = std::move(path->vertices);
     letters = std::move(path->letters);
@@ -274,7 +282,7 @@ bool read_flags(std::string_view name, const Flags& flags, const std::string& le
     return false;
   }
   if (!flags.letters.empty()) {
-    for (const char c : letters) target.push_back(flags.letters.find(c) == std::string::npos ? 0 : 1);
+    target = flags_of(letters, flags.letters);
     return true;
   }
   const std::size_t children = motif.by_level.front().child_count();
@@ -283,6 +291,7 @@ bool read_flags(std::string_view name, const Flags& flags, const std::string& le
                                       flags.list.size()));
     return false;
   }
+  target.clear();
   for (const int flag : flags.list) target.push_back(static_cast<std::uint8_t>(flag));
   return true;
 }
@@ -295,7 +304,7 @@ bool read_table(const params::Table& table, const Where& where, Motif& motif, pa
   if (!read_marks(spec, where, read, letters, context)) return false;
   if (!read_flags("flip", spec.flip, letters, read, where, read.flip, context)) return false;
   if (!read_flags("reverse", spec.reverse, letters, read, where, read.reverse, context)) return false;
-  read.sign = spec.sign;
+  if (spec.sign) read.sign = spec.sign;
   read.absolute = spec.beta == BetaUnit::absolute;
   read.decay = spec.decay;
   if (read.has_flags() && (read.sign || read.absolute || read.decay != 1.0 || !read.is_constant() ||
@@ -322,14 +331,10 @@ bool ValueType<two_point::Motif>::read(const Value& value, two_point::Motif& mot
   if (const Value* defined = context.defined(*word); defined != nullptr && defined->table() != nullptr) {
     return two_point::read_table(*defined->table(), defined->where, motif, context);
   }
-  if (const two_point::NamedMotif* row = two_point::find_motif(*word)) {
-    motif = two_point::motif_from(*row);
-    return true;
-  }
-  std::vector<std::string_view> known;
-  for (const two_point::NamedMotif& row : two_point::named_motifs()) known.push_back(row.name);
-  context.report(value.where, fmt::format("no motif '{}'{}", *word, suggestion(*word, known)));
-  return false;
+  const two_point::NamedMotif* row = two_point::find_motif(*word);
+  if (row == nullptr) return two_point::report_unknown_motif(*word, value.where, context);
+  motif = two_point::motif_from(*row);
+  return true;
 }
 
 }  // namespace burin::params

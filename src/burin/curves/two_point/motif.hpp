@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,27 +63,13 @@ struct Motif {
   bool is_random() const;
 };
 
-/// A motif known by name: a row of data.
-struct NamedMotif {
-  std::string_view name;
-  std::string_view alias;  ///< another name for it, or empty
-  std::string_view summary;
-  std::span<const Vec2> marks;  ///< (alpha, beta)
-  std::span<const std::uint8_t> flip;
-  std::span<const std::uint8_t> reverse;
-};
-
-std::span<const NamedMotif> named_motifs();
 /// The keys of a motif written as a table, for help and docs.
 std::vector<params::FieldInfo> motif_fields();
-/// The named motif as data. Pre: the row is from named_motifs().
-Motif motif_from(const NamedMotif& row);
-/// By name or alias; null for unknown names.
-const NamedMotif* find_motif(std::string_view name);
 
 }  // namespace burin::curves::two_point
 
 /// A name ("koch", or one written in [define]) or a table with one of
+///   name = "cesaro" with angle, where the motif is a turtle word,
 ///   marks = [[alpha, beta], ...], points = [[x, y], ...] (vertices, y up, first to last), turtle = "F+F--F+F" with
 ///   angle, by_level = [motif, ...], by_edge = [marks, ...]
 /// and sign, flip, reverse, beta = "absolute", decay.

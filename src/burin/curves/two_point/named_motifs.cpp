@@ -1,45 +1,159 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
-#include <burin/curves/two_point/motif.hpp>
+#include <fmt/format.h>
 
-/// The motifs that go by a name. Source: reference curves A.3 (Ding & Qi, Fig. 3, corrected where the paper misprints).
+#include <burin/base/check.hpp>
+#include <burin/base/number_text.hpp>
+#include <burin/curves/two_point/named_motifs.hpp>
+#include <burin/curves/two_point/vertices.hpp>
+
+/// The motifs that go by a name. Source: reference curves A.3. The papers' misprints stand beside the motifs they
+/// misprint, as data of the same kind.
 namespace burin::curves::two_point {
 
 namespace {
 
 constexpr double third = 1.0 / 3.0;
 constexpr double sqrt3 = 1.73205080756887729353;
-constexpr double terdragon_offset = 1.0 / (2.0 * sqrt3);
 
-constexpr std::array<Vec2, 3> koch_marks{{{third, 0.0}, {0.5, sqrt3 / 6.0}, {2.0 * third, 0.0}}};
-constexpr std::array<Vec2, 7> minkowski_marks{
-    {{0.25, 0.0}, {0.25, 0.25}, {0.5, 0.25}, {0.5, 0.0}, {0.5, -0.25}, {0.75, -0.25}, {0.75, 0.0}}};
-constexpr std::array<Vec2, 1> right_angle_marks{{{0.5, 0.5}}};
-constexpr std::array<Vec2, 2> terdragon_marks{{{0.5, terdragon_offset}, {0.5, -terdragon_offset}}};
-constexpr std::array<Vec2, 2> arrowhead_marks{{{0.25, sqrt3 / 4.0}, {0.75, sqrt3 / 4.0}}};
+constexpr std::array<Vec2, 9> fret_points{{{0, 0}, {0, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 0}, {4, 0}}};
+constexpr std::array<Vec2, 5> printed_koch_points{{{0, 0}, {third, 0}, {0.5, -sqrt3 / 6.0}, {third, 0}, {1, 0}}};
+constexpr std::array<Vec2, 9> printed_minkowski_points{
+    {{0, 0}, {0.25, 0}, {0.25, -0.25}, {0.5, -0.25}, {0.5, 0}, {0.5, -0.25}, {0.75, -0.25}, {0.75, 0}, {1, 0}}};
+constexpr std::array<Vec2, 3> printed_dragon_points{{{0, 0}, {third, -0.5}, {1, 0}}};
 
-constexpr std::array<std::uint8_t, 2> second_reversed{0, 1};
-constexpr std::array<std::uint8_t, 3> outer_flipped{1, 0, 1};
-
-constexpr std::array<NamedMotif, 6> rows{{
-    {"koch", "", "Koch's curve: an equilateral bump on the middle third", koch_marks, {}, {}},
-    {"minkowski", "", "Minkowski's sausage: a square to the right, a square to the left", minkowski_marks, {}, {}},
-    {"dragon",
-     "heighway",
-     "Heighway's dragon: right angles to both sides in turn",
-     right_angle_marks,
-     {},
-     second_reversed},
-    {"sierpinski",
-     "arrowhead",
-     "Sierpinski's arrowhead: half a hexagon, folded in and out",
-     arrowhead_marks,
-     outer_flipped,
-     {}},
-    {"levy", "", "Levy's C curve: right angles to one side", right_angle_marks, {}, {}},
-    {"terdragon", "", "the terdragon: a Z of three equal edges", terdragon_marks, {}, {}},
+constexpr std::array<NamedMotif, 22> rows{{
+    {.name = "koch",
+     .summary = "Koch's curve: an equilateral bump on the middle third",
+     .source = "von Koch 1904; Ding & Qi, Fig. 3",
+     .turtle = "F-F++F-F",
+     .angle_degrees = 60},
+    {.name = "cesaro",
+     .summary = "Cesaro's curve: Koch's with a steeper bump; its angle is free",
+     .source = "Cesaro 1905",
+     .turtle = "F-F++F-F",
+     .angle_degrees = 85},
+    {.name = "minkowski",
+     .alias = "quad8",
+     .summary = "Minkowski's sausage: a square to the right, a square to the left",
+     .source = "Mandelbrot, The Fractal Geometry of Nature, 1982, chapter 6; Ding & Qi, Fig. 3",
+     .turtle = "F-F+F+FF-F-F+F"},
+    {.name = "quad5",
+     .alias = "quadratic-koch",
+     .summary = "the quadratic Koch curve: a square on the middle third",
+     .source = "Mandelbrot, The Fractal Geometry of Nature, 1982, chapter 6",
+     .turtle = "F-F+F+F-F"},
+    {.name = "quad18",
+     .summary = "Mandelbrot's quadric curve of 18 edges",
+     .source = "Mandelbrot, The Fractal Geometry of Nature, 1982, chapter 6",
+     .turtle = "F+FF-FF-F-F+F+FF-F-F+F+FF+FF-F"},
+    {.name = "quad32",
+     .summary = "Mandelbrot's quadric curve of 32 edges",
+     .source = "Mandelbrot, The Fractal Geometry of Nature, 1982, chapter 6",
+     .turtle = "-F+F-F-F+F+FF-F+F+FF+F-F-FF+FF-FF+F+F-FF-F-F+FF-F-F+F+F-F+"},
+    {.name = "levy",
+     .alias = "c-curve",
+     .summary = "Levy's C curve: right angles to one side",
+     .source = "Cesaro 1906; Levy 1938",
+     .turtle = "F+F"},
+    {.name = "dragon",
+     .alias = "heighway",
+     .summary = "Heighway's dragon: right angles to both sides in turn",
+     .source = "Heighway, Banks & Harter 1966; Davis & Knuth 1970; Ding & Qi, Fig. 3",
+     .turtle = "A+B",
+     .reverse = "B"},
+    {.name = "polya",
+     .alias = "triangle-sweep",
+     .summary = "Polya's sweep of a right triangle: sides in turn by level",
+     .source = "Polya 1913",
+     .turtle = "A+A",
+     .flip = "A"},
+    {.name = "altpaper",
+     .alias = "alternate-paper",
+     .summary = "paper folded alternately: fills half a square, no edge twice",
+     .source = "Davis & Knuth 1970",
+     .turtle = "A+B",
+     .flip = "AB",
+     .reverse = "B"},
+    {.name = "terdragon",
+     .summary = "the terdragon: a Z of three equal edges",
+     .source = "Davis & Knuth 1970",
+     .turtle = "F+F-F",
+     .angle_degrees = 120},
+    {.name = "sierpinski",
+     .alias = "arrowhead",
+     .summary = "Sierpinski's arrowhead: half a hexagon, folded in and out",
+     .source = "Sierpinski 1915; Mandelbrot 1982; Ding & Qi, Fig. 3",
+     .turtle = "-A+B+A",
+     .angle_degrees = 60,
+     .flip = "A"},
+    {.name = "r5dragon",
+     .summary = "the dragon of five edges: an S of right angles",
+     .source = "Arndt, Matters Computational, 2010",
+     .turtle = "F+F+F-F-F"},
+    {.name = "gosper",
+     .alias = "flowsnake",
+     .summary = "Gosper's flowsnake: seven edges that fill a hexagon-like island",
+     .source = "Gosper 1973; Gardner 1976",
+     .turtle = "A-B--B+A++AA+B-",
+     .angle_degrees = 60,
+     .reverse = "B"},
+    {.name = "pentadendrite",
+     .summary = "McWorter's pentadendrite: six edges, turns of a pentagon",
+     .source = "McWorter & Tazelaar, Creating Fractals, BYTE, August 1987",
+     .turtle = "F+F-F--F+F+F",
+     .angle_degrees = 72},
+    {.name = "peano9",
+     .alias = "peano",
+     .summary = "Peano's curve along the diagonal of its square",
+     .source = "Peano 1890",
+     .turtle = "A+B-A-B-A+B+A+B-A",
+     .flip = "B"},
+    {.name = "hilbert4",
+     .alias = "hilbert",
+     .summary = "Hilbert's curve, each edge the side of its square",
+     .source = "Hilbert 1891",
+     .turtle = "+A-BB-A",
+     .flip = "A"},
+    {.name = "fret",
+     .alias = "greek-key",
+     .summary = "a Greek key, an ornament of one level",
+     .source = "a fret of Greek vases",
+     .points = fret_points,
+     .dimension_note = "the copies overlap"},
+    {.name = "koch-printed",
+     .summary = "Koch's curve as Ding & Qi print it: alpha_3 = 1/3 for 2/3",
+     .source = "Ding & Qi, section 3, misprint",
+     .points = printed_koch_points,
+     .dimension_note = "the copies overlap"},
+    {.name = "minkowski-printed",
+     .summary = "Minkowski's curve as printed: beta_5 = beta_6 = 1/4 for -1/4",
+     .source = "Ding & Qi, section 3, misprint",
+     .points = printed_minkowski_points,
+     .dimension_note = "the copies overlap"},
+    {.name = "dragon-printed",
+     .summary = "the dragon as printed: alpha_1 = 1/3 for 1/2, sign by level and edge",
+     .source = "Ding & Qi, section 3, misprint",
+     .points = printed_dragon_points,
+     .sign = SignRule::Kind::level_edge,
+     .dimension_note = "the copies overlap"},
+    {.name = "dragon-printed-sign",
+     .summary = "the dragon with alpha_1 = 1/2 and the printed sign: paper folded alternately",
+     .source = "Ding & Qi, section 3, misprint",
+     .turtle = "F+F",
+     .sign = SignRule::Kind::level_edge},
 }};
+
+/// "[[0, 0], [1, 2]]"
+std::string points_text(std::span<const Vec2> points) {
+  std::string text;
+  for (const Vec2 p : points) {
+    text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", shortest_text(p.x), shortest_text(p.y));
+  }
+  return '[' + text + ']';
+}
 
 }  // namespace
 
@@ -55,14 +169,33 @@ const NamedMotif* find_motif(std::string_view name) {
 }
 
 Motif motif_from(const NamedMotif& row) {
-  std::vector<Mark> marks;
-  for (const Vec2 mark : row.marks) marks.push_back({{mark.x, mark.x}, {mark.y, mark.y}});
+  return motif_from(row, row.angle_degrees);
+}
+
+Motif motif_from(const NamedMotif& row, double angle_degrees) {
+  const TurtlePath path = walk_turtle(row.turtle, angle_degrees);
+  std::optional<std::vector<Mark>> marks =
+      marks_from_vertices(row.turtle.empty() ? row.points : std::span<const Vec2>(path.vertices));
+  BURIN_EXPECT(marks.has_value());
   Motif motif;
-  motif.by_level = {Stage{{std::move(marks)}}};
-  motif.flip.assign(row.flip.begin(), row.flip.end());
-  motif.reverse.assign(row.reverse.begin(), row.reverse.end());
+  motif.by_level = {Stage{{*std::move(marks)}}};
+  if (!row.flip.empty()) motif.flip = flags_of(path.letters, row.flip);
+  if (!row.reverse.empty()) motif.reverse = flags_of(path.letters, row.reverse);
+  if (row.sign) motif.sign = SignRule{*row.sign};
   motif.text = '"' + std::string(row.name) + '"';
   return motif;
+}
+
+std::string table_text(const NamedMotif& row) {
+  std::string text =
+      row.turtle.empty() ? "points = " + points_text(row.points) : fmt::format("turtle = \"{}\"", row.turtle);
+  if (!row.turtle.empty() && row.angle_degrees != 90.0) {
+    text += fmt::format(", angle = {}", shortest_text(row.angle_degrees));
+  }
+  if (!row.flip.empty()) text += fmt::format(", flip = \"{}\"", row.flip);
+  if (!row.reverse.empty()) text += fmt::format(", reverse = \"{}\"", row.reverse);
+  if (row.sign) text += ", sign = " + params::ValueType<SignRule>::text(SignRule{*row.sign});
+  return "{ " + text + " }";
 }
 
 }  // namespace burin::curves::two_point

@@ -6,7 +6,7 @@
 
 #include <burin/curves/base_shape.hpp>
 #include <burin/curves/family.hpp>
-#include <burin/curves/two_point/motif.hpp>
+#include <burin/curves/two_point/named_motifs.hpp>
 
 namespace burin::curves {
 
@@ -24,8 +24,7 @@ struct TwoPointParams {
             "base", &TwoPointParams::base,
             "what is refined: segment, triangle, square, { shape = \"ngon\", n = 5 }, { shape = \"star\", ... }, "
             "{ points = [[x, y], ...], closed = true }, { csv = \"file\" } or { path = \"M0 0 ...\" }"),
-        params::field("motif", &TwoPointParams::motif,
-                      "koch, minkowski, dragon, sierpinski, levy, terdragon, a name from [define] or a table"),
+        params::field("motif", &TwoPointParams::motif, "a name of 'burin list motifs' or of [define], or a table"),
         params::field("sign", &TwoPointParams::sign,
                       "sign of beta over the whole sequence; unset: the motif's own flags or sign"),
         params::field("levels", &TwoPointParams::levels, {0, 1000},
