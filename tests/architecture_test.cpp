@@ -34,7 +34,7 @@ const std::vector<Room> rooms{
 
 const std::vector<Library> third_parties{
     {"toml++/", "src/burin/preset/"},     {"muParser", "src/burin/expr/"}, {"cairo", "src/burin/output_cairo/", false},
-    {"png.h", "src/burin/output_cairo/"}, {"boost/", "src/cli/"},
+    {"png.h", "src/burin/output_cairo/"}, {"boost/", "src/cli/"},          {"oneapi/", "src/cli/"},
 };
 
 constexpr int max_lines = 500;

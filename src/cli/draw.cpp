@@ -1,12 +1,15 @@
 #include <array>
 #include <string>
 
+#include <fmt/format.h>
+
 #include <cli/command.hpp>
 #include <cli/draw_report.hpp>
 #include <cli/draw_request.hpp>
-#include <cli/draw_run.hpp>
+#include <cli/draw_series.hpp>
 #include <cli/file_io.hpp>
 #include <cli/interrupt.hpp>
+#include <cli/tbb_executor.hpp>
 
 namespace burin::cli {
 
@@ -17,42 +20,77 @@ constexpr std::array examples{
     Example{"burin draw koch -D levels=3 -o small.svg -o small.csv", "one knob turned; two files, each complete"},
     Example{"burin draw koch -o koch.pdf --page a3 --landscape --margin 30mm", "a print at true size"},
     Example{"burin draw koch -o koch.png --size 1200px", "a picture 1200 dots high"},
+    Example{"burin draw dragon --sweep levels=2..6 -o 'dragons/{n}-{levels}.svg'", "five files"},
     Example{"burin draw koch -q -o - --format csv | head -n 3", "into another program"},
 };
+
+/// All that is wrong with the preset itself, or what its summary tells of it.
+Result<preset::Summary> summary_of(const PresetText& preset, const preset::Overrides& overrides) {
+  Result<preset::Summary> summary = preset::summarise(preset.source, overrides);
+  if (summary) return summary;
+  const Result<ReadyPiece> all_of_it = make_ready(preset, overrides, data_reader(preset.folder));
+  return all_of_it ? summary : all_of_it.problems();
+}
+
+/// What is worth knowing although all went well.
+std::string warnings(const DrawRequest& request, const SeriesOutcome& outcome) {
+  if (request.series.seeds.empty() || outcome.uses_seed) return {};
+  return fmt::format("warning: nothing in '{}' is random: every seed gives the same picture\n", request.preset);
+}
+
+ExitCode tell(const SeriesOutcome& outcome, const DrawRequest& request, const Console& console) {
+  if (request.quiet) return ExitCode::done;
+  if (const std::string text = warnings(request, outcome); !text.empty()) console.note(text);
+  if (!request.writes_stdout()) return console.print(outcome.all.report);
+  console.note(outcome.all.report);
+  return ExitCode::done;
+}
 
 ExitCode run(const Arguments& arguments, const Console& console) {
   const Result<DrawRequest> request = read_draw_request(arguments);
   if (!request) return console.fail_usage(request.problems(), "burin draw");
   const Result<PresetText> preset = read_preset(request->preset);
   if (!preset) return console.fail(preset.problems());
-  const Result<ReadyPiece> piece = make_ready(*preset, request->overrides, data_reader(preset->folder));
-  if (!piece) return console.fail(piece.problems());
+  const Result<preset::Summary> summary = summary_of(*preset, request->overrides);
+  if (!summary) return console.fail(summary.problems());
+  const Result<Series> series = Series::make(request->series, preset->source, request->overrides, *summary);
+  if (!series) return console.fail(series.problems());
+  const Result<SeriesOutputs> outputs = name_outputs(*request, *series, *preset);
+  if (!outputs) return console.fail_usage(outputs.problems(), "burin draw");
+  if (!request->quiet) console.note(outputs->note);
 
   Temporaries temporaries;
+  MemoryBudget memory(request->max_memory_mb * 1e6);
   const Interrupt interrupt([&temporaries] { temporaries.remove_all(); });
   const bool live = console.shows_progress() && !request->quiet;
-  const DrawOutcome outcome = draw_piece(*piece, *request, {temporaries, interrupt.stop(), live});
-  if (interrupt.signal() != 0) return interrupt.exit_code();
-  if (outcome.code != ExitCode::done) return tell_problems(outcome, request->command, console);
-  if (request->quiet) return ExitCode::done;
-  const std::string report = outcome.report + piece_report(piece->plan, piece->read, request->verbose);
-  if (!request->writes_stdout()) return console.print(report);
-  console.note(report);
-  return ExitCode::done;
+  const SeriesOutcome outcome = draw_series(*preset, *request, *series, *outputs, TbbExecutor(request->threads),
+                                            {temporaries, interrupt.stop(), live, &memory});
+  const bool stopped = interrupt.signal() != 0;
+  if (!stopped && outcome.all.code == ExitCode::done) return tell(outcome, *request, console);
+  const ExitCode code = stopped ? interrupt.exit_code() : tell_problems(outcome.all, request->command, console);
+  if (series->count() > 1 && !request->quiet) {
+    console.note(fmt::format("{} of {} results are drawn\n", outcome.finished, series->count()));
+  }
+  return code;
 }
 
 }  // namespace
 
 Command draw_command() {
-  return {"draw",
-          "draw a preset into SVG, PDF, PNG or CSV files",
-          "PRESET [-o FILE]... [-D NAME=VALUE]... [OPTIONS]",
-          "PRESET is the name of a shipped preset ('burin list'), a file, or - for stdin. Without -o the drawing goes "
-          "to NAME.svg in the current folder. A file appears when it is complete; until then the old one stays.\n\n"
-          "Exit codes: 0 done, 2 wrong command line, 3 wrong preset or data, 4 too large, 5 cannot be written.",
-          draw_options(),
-          examples,
-          &run};
+  return {
+      "draw",
+      "draw a preset into SVG, PDF, PNG or CSV files",
+      "PRESET [-o FILE]... [-D NAME=VALUE]... [OPTIONS]",
+      "PRESET is the name of a shipped preset ('burin list'), a file, or - for stdin. Without -o the drawing goes "
+      "to NAME.svg in the current folder. A file appears when it is complete; until then the old one stays.\n\n"
+      "Several seeds and every --sweep make several results, one for each combination. In -o stand {preset}, {seed}, "
+      "{n} (a running number) and {KNOB} of a swept knob; {{ is a brace. What tells the results apart is added to a "
+      "name that lacks it, and missing folders are made. Where one result fails the others are still drawn.\n\n"
+      "Exit codes: 0 done, 2 wrong command line, 3 wrong preset or data, 4 too large, 5 cannot be written; of "
+      "several results the code of the first that failed.",
+      draw_options(),
+      examples,
+      &run};
 }
 
 }  // namespace burin::cli

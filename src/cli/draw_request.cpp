@@ -1,10 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limits>
-#include <random>
 #include <string_view>
 #include <system_error>
 #include <unistd.h>
@@ -23,10 +20,13 @@ namespace burin::cli {
 namespace {
 
 constexpr std::array option_rows{
-    OptionRow{"output", 'o', "FILE", "write here, in the format of the suffix; - is stdout", true},
+    OptionRow{"output", 'o', "FILE",
+              "write here, in the format of the suffix; - is stdout; {seed} and the like are filled in", true},
     OptionRow{"knob", 'D', "NAME=VALUE", "turn a knob of the preset; 'burin show PRESET' lists them", true},
     OptionRow{"set", 0, "KEY=VALUE", "set any key: page.paper=oat, layer.NAME.opacity=0.5", true},
-    OptionRow{"seed", 0, "N|random", "seed of everything random"},
+    OptionRow{"seed", 0, "SEEDS", "seed of everything random: 7, random; or several: 0..49, 7,19,33, random*5"},
+    OptionRow{"sweep", 0, "KNOB=VALUES", "a result for each value: levels=1..5, turn=0.1..0.9:9, motif=koch,levy",
+              true},
     OptionRow{"page", 0, "SIZE", "a4, a3, letter ... or 30x40cm"},
     OptionRow{"landscape", 0, "", "turn the page on its side"},
     OptionRow{"margin", 0, "LENGTHS", "one to four lengths, clockwise from the top: \"20mm 15mm\""},
@@ -41,6 +41,8 @@ constexpr std::array option_rows{
     OptionRow{"all-points", 0, "", "draw points that the output is too coarse to show, too"},
     OptionRow{"max-points", 0, "N", "refuse to draw more points than this (5e7)"},
     OptionRow{"max-memory", 0, "MB", "refuse to draw what needs more memory than this (2000)"},
+    OptionRow{"max-results", 0, "N", "refuse to draw more results of --seed and --sweep than this (10000)"},
+    OptionRow{"threads", 0, "N", "draw so many results at once (all cores); the files are the same"},
     OptionRow{"quiet", 'q', "", "errors only"},
     OptionRow{"verbose", 'v', "", "tell more: layers, data files"},
 };
@@ -105,23 +107,29 @@ class Reader {
     return all;
   }
 
-  void read_seed(DrawRequest& request) {
-    const std::optional<std::string> text = arguments_.value("seed");
-    if (!text) return;
-    if (*text == "random") {
-      request.overrides.seed = std::random_device{}();
-      return;
+  void read_series(DrawRequest& request) {
+    if (const std::optional<std::string> text = arguments_.value("seed")) {
+      const Result<SeedList> seeds = SeedList::read(*text);
+      if (!seeds) {
+        report("{}", seeds.problems().front().message);
+      } else if (seeds->count() == 1.0) {
+        request.overrides.seed = seeds->all().front();
+      } else {
+        request.series.seeds.push_back(*seeds);
+      }
     }
-    std::uint64_t seed = 0;
-    const bool negative = text->front() == '-';
-    const char* end = text->data() + text->size();
-    const auto [stopped, error] = std::from_chars(text->data() + (negative ? 1 : 0), end, seed);
-    constexpr std::uint64_t lowest = std::uint64_t{1} << 63U;
-    if (error != std::errc() || stopped != end || (negative && seed > lowest)) {
-      report("--seed must be a whole number of at most 64 bits or 'random', not '{}'", *text);
-      return;
+    for (const std::string& text : arguments_.values("sweep")) {
+      const Result<Sweep> sweep = Sweep::read(text);
+      if (sweep) {
+        request.series.sweeps.push_back(*sweep);
+      } else {
+        report("{}", sweep.problems().front().message);
+      }
     }
-    request.overrides.seed = negative ? 0 - seed : seed;
+    number("max-results", 1.0, 1e6, true, request.series.max_results);
+    double threads = request.threads;
+    number("threads", 1.0, 1024.0, true, threads);
+    request.threads = static_cast<int>(threads);
   }
 
   /// Whether two output paths, perhaps of files that are not there yet, name one file.
@@ -199,7 +207,7 @@ Result<DrawRequest> read_draw_request(const Arguments& arguments) {
   reader.read_preset_word(request);
   request.overrides.knobs = reader.pairs("knob", "-D");
   request.overrides.keys = reader.pairs("set", "--set");
-  reader.read_seed(request);
+  reader.read_series(request);
   request.overrides.page_size = arguments.value("page");
   request.overrides.landscape = arguments.has("landscape");
   request.overrides.margin = arguments.value("margin");

@@ -10,10 +10,12 @@
 #include <burin/path/back_end.hpp>
 #include <burin/preset/load.hpp>
 #include <cli/options.hpp>
+#include <cli/series.hpp>
 
 namespace burin::cli {
 
-/// One file to write. An empty path: the preset's name with the format as its suffix.
+/// One file to write. An empty path: the preset's name with the format as its suffix. Braces in it are placeholders,
+/// which series_outputs.hpp fills in before anything is opened.
 struct RequestedOutput {
   std::string path;
   const BackEnd* back_end = nullptr;
@@ -24,7 +26,9 @@ struct DrawRequest {
   std::string command = "burin draw";  ///< where problems of the command line are
   std::string preset;
   std::vector<RequestedOutput> outputs;
-  preset::Overrides overrides;
+  preset::Overrides overrides;  ///< of all results; a single --seed too
+  SeriesRequest series;
+  int threads = 0;  ///< 0: all cores
   int decimals = 3;
   double dots_per_inch = 300.0;
   std::optional<double> longer_side_px;  ///< instead of dots_per_inch

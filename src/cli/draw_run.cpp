@@ -117,6 +117,8 @@ DrawOutcome draw_piece(const ReadyPiece& piece, const DrawRequest& request, cons
                                              job.back_end->format, job.back_end->format);
       return DrawOutcome::misused({Problem{{request.command}, advice}});
     }
+    const double memory_bytes = job.back_end->memory_bytes(job.forecast.points, piece.plan.sheet(), job.options);
+    const MemoryBudget::Share share(around.memory, memory_bytes);
     const Result<OutputCounts> counts = draw_output(piece.plan, job, file, around.live);
     if (around.stop.stop_requested()) return {ExitCode::interrupted};
     if (!counts && file.lost_reader()) return {ExitCode::output};

@@ -6,6 +6,7 @@
 #include <burin/preset/plan.hpp>
 #include <cli/draw_request.hpp>
 #include <cli/exit_code.hpp>
+#include <cli/memory_budget.hpp>
 #include <cli/origin.hpp>
 #include <cli/preset_library.hpp>
 #include <cli/temporaries.hpp>
@@ -28,7 +29,8 @@ Result<ReadyPiece> make_ready(PresetText preset, const preset::Overrides& overri
 struct Surroundings {
   Temporaries& temporaries;
   std::stop_token stop;
-  bool live = false;  ///< show on stderr how far it is
+  bool live = false;               ///< show on stderr how far it is
+  MemoryBudget* memory = nullptr;  ///< what drawings that go on at once share; null: each is alone
 };
 
 /// How a drawing ended.

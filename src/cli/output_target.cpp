@@ -32,13 +32,25 @@ Result<std::string> resolved(const std::string& path) {
   return write_problem(path, ELOOP);
 }
 
-std::string_view advice(int error) {
+/// The outermost folder on the way to `path` that is not there.
+std::string missing_folder(const std::string& path) {
+  fs::path missing = fs::path(path).parent_path();
+  std::error_code error;
+  while (missing.has_parent_path() && missing.parent_path() != missing && !fs::exists(missing.parent_path(), error)) {
+    missing = missing.parent_path();
+  }
+  return missing.string();
+}
+
+std::string advice(const std::string& path, int error) {
   switch (error) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
       return "; free some space or write elsewhere with -o";
     case ENOENT:
+      return fmt::format("; the folder '{}' is missing: make its folder first (mkdir -p) or write elsewhere with -o",
+                         missing_folder(path));
     case ENOTDIR:
       return "; make its folder first or write elsewhere with -o";
     case EACCES:
@@ -88,7 +100,7 @@ Result<OutputTarget> output_target(const std::string& path) {
 
 Problem write_problem(const std::string& path, int error) {
   const std::string shown = path == "-" ? "stdout" : path.empty() ? "''" : path;
-  return {{shown}, fmt::format("cannot be written: {}{}", system_words(error), advice(error)), Trouble::output};
+  return {{shown}, fmt::format("cannot be written: {}{}", system_words(error), advice(path, error)), Trouble::output};
 }
 
 }  // namespace burin::cli

@@ -8,14 +8,6 @@
 
 namespace burin::cli {
 
-namespace {
-
-constexpr std::chrono::milliseconds first_show{500};
-constexpr std::chrono::milliseconds between_shows{100};
-constexpr std::string_view erase_line = "\r\x1b[K";
-
-}  // namespace
-
 Progress::Progress(PathSink& next, bool live, std::string what, double expected_points)
     : Decorator(next),
       live_(live),

@@ -4,10 +4,16 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <burin/path/decorators.hpp>
 
 namespace burin::cli {
+
+/// When a line of progress is first shown, how often it changes, and what takes it away.
+inline constexpr std::chrono::milliseconds first_show{500};
+inline constexpr std::chrono::milliseconds between_shows{100};
+inline constexpr std::string_view erase_line = "\r\x1b[K";
 
 /// Passes a drawing on and, from half a second on, shows on stderr how far it is, ten times a second in one line. The
 /// line is erased at the end.

@@ -161,7 +161,7 @@ Result<Piece> load(const Source& source, const Overrides& overrides, const ReadF
   return piece;
 }
 
-Result<Summary> summarise(const Source& source) {
+Result<Summary> summarise(const Source& source, const Overrides& overrides) {
   const std::string_view text = without_byte_order_mark(source.text);
   Reading reading{{source.name}, {}, {}, {}};
   Summary summary;
@@ -173,8 +173,9 @@ Result<Summary> summarise(const Source& source) {
     std::erase_if(reading.root.entries, [](const Entry& entry) {
       return entry.key != "about" && entry.key != "knobs" && entry.key != "seed";
     });
-    const std::uint64_t seed = read_seed(reading.root, {}, reading.findings);
-    for (const Knob& knob : set_knobs(reading, seed, {}, context).knobs) summary.knobs.push_back(knob.info());
+    summary.seed = read_seed(reading.root, overrides, reading.findings);
+    for (const Knob& knob : set_knobs(reading, summary.seed, overrides, context).knobs)
+      summary.knobs.push_back(knob.info());
     summary.about = read_about(reading.root, context);
   }
   if (std::optional<Problems> problems = reading.trouble(text)) return *std::move(problems);

@@ -44,11 +44,13 @@ struct KnobInfo {
 
 struct Summary {
   About about;
+  std::uint64_t seed = 1;
   std::vector<KnobInfo> knobs;
 };
 
-/// What a preset says of itself, without reading its data files or layers.
-Result<Summary> summarise(const Source& source);
+/// What a preset says of itself, without reading its data files or layers. Of the overrides only knobs and the seed
+/// count: a knob that cannot take its value is a problem.
+Result<Summary> summarise(const Source& source, const Overrides& overrides = {});
 
 /// A table of the preset format, for help and docs: "about", "page", "knob", "pen", "slot", "layer", "base", "motif".
 struct FormatTable {

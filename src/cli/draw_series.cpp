@@ -1,0 +1,112 @@
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <cli/draw_report.hpp>
+#include <cli/draw_series.hpp>
+#include <cli/file_io.hpp>
+#include <cli/series_progress.hpp>
+
+namespace burin::cli {
+
+namespace {
+
+/// One result, and whether it was begun.
+struct Drawn {
+  DrawOutcome outcome;
+  bool begun = false;
+  bool uses_seed = false;
+};
+
+Problems make_folders(const std::vector<RequestedOutput>& outputs) {
+  for (const RequestedOutput& output : outputs) {
+    const std::filesystem::path folder = std::filesystem::path(output.path).parent_path();
+    std::error_code error;
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (error) return {write_problem(output.path, error.value())};
+  }
+  return {};
+}
+
+/// What went wrong, each problem once, with the results that it kept from being drawn.
+Problems grouped_problems(const std::vector<Drawn>& drawn, const Series& series) {
+  struct Group {
+    Problem problem;
+    std::size_t first = 0;
+    std::size_t others = 0;
+  };
+  std::vector<Group> groups;
+  std::map<std::string, std::size_t> group_of;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    for (const Problem& problem : drawn[i].outcome.problems) {
+      const auto [known, is_new] = group_of.try_emplace(problem_text(problem), groups.size());
+      if (is_new) {
+        groups.push_back({problem, i, 0});
+      } else {
+        ++groups[known->second].others;
+      }
+    }
+  }
+  Problems problems;
+  for (Group& group : groups) {
+    if (series.count() > 1 && group.problem.trouble != Trouble::output) {
+      group.problem.message += fmt::format(" [{}{}]", series.label(group.first),
+                                           group.others == 0 ? "" : fmt::format(" and {} more", group.others));
+    }
+    problems.push_back(std::move(group.problem));
+  }
+  return problems;
+}
+
+}  // namespace
+
+SeriesOutcome draw_series(const PresetText& preset, const DrawRequest& request, const Series& series,
+                          const SeriesOutputs& outputs, const Executor& executor, const Surroundings& around) {
+  std::vector<Drawn> drawn(series.count());
+  std::atomic<bool> cannot_write = false;
+  Surroundings each = around;
+  each.live = around.live && series.count() == 1;
+
+  const auto draw_one = [&](std::size_t index) -> DrawOutcome {
+    DrawRequest one = request;
+    one.overrides = series.overrides(index, request.overrides);
+    one.outputs = outputs.of_result[index];
+    const Result<ReadyPiece> piece = make_ready(preset, one.overrides, data_reader(preset.folder));
+    if (!piece) return DrawOutcome::failed(piece.problems());
+    drawn[index].uses_seed = piece->plan.uses_seed();
+    if (outputs.makes_folders) {
+      if (Problems problems = make_folders(one.outputs); !problems.empty()) return DrawOutcome::failed(problems);
+    }
+    DrawOutcome outcome = draw_piece(*piece, one, each);
+    if (series.count() == 1) outcome.report += piece_report(piece->plan, piece->read, request.verbose);
+    return outcome;
+  };
+  {
+    SeriesProgress progress(series.count(), around.live && series.count() > 1);
+    executor.run(series.count(), [&](std::size_t index) {
+      if (around.stop.stop_requested() || cannot_write) return;
+      drawn[index].begun = true;
+      drawn[index].outcome = draw_one(index);
+      if (drawn[index].outcome.code == ExitCode::output) cannot_write = true;
+      progress.one_done();
+    });
+  }
+
+  SeriesOutcome outcome;
+  for (const Drawn& one : drawn) {
+    if (!one.begun) continue;
+    if (outcome.all.code == ExitCode::done) outcome.all.code = one.outcome.code;
+    outcome.all.report += one.outcome.report;
+    outcome.finished += one.outcome.code == ExitCode::done ? 1 : 0;
+    outcome.uses_seed = outcome.uses_seed || one.uses_seed;
+  }
+  outcome.all.problems = grouped_problems(drawn, series);
+  return outcome;
+}
+
+}  // namespace burin::cli
