@@ -91,7 +91,7 @@ Result<PresetText> read_preset(const std::string& word) {
   if (word == "-") {
     const Result<std::string> text = read_stdin(preset_limit_bytes);
     if (!text) return text.problems();
-    return PresetText{{"-", *text}, "drawing", "-", ""};
+    return PresetText{{"-", *text}, std::string(stdin_stem), "-", ""};
   }
   if (is_preset_path(word)) return read_preset_file(word);
   if (const std::optional<std::string> path = find_in_library(word)) return read_preset_file(*path);

@@ -9,6 +9,9 @@
 
 namespace burin::cli {
 
+/// What the drawing of a preset without a name is called.
+inline constexpr std::string_view stdin_stem = "drawing";
+
 /// A preset as found: its text, and the folder its data files are relative to.
 struct PresetText {
   preset::Source source;

@@ -98,8 +98,9 @@ std::string_view without_byte_order_mark(std::string_view text) {
   return text;
 }
 
-std::optional<Table> parse_toml(std::string_view text, const std::string& file, Findings& findings) {
-  if (std::optional<Problem> refused = guard_toml(text, file)) {
+std::optional<Table> parse_toml(std::string_view text, const std::string& file, Findings& findings,
+                                std::size_t most_bytes) {
+  if (std::optional<Problem> refused = guard_toml(text, file, most_bytes)) {
     findings.problems.push_back(std::move(*refused));
     return std::nullopt;
   }
@@ -114,7 +115,7 @@ std::optional<Table> parse_toml(std::string_view text, const std::string& file, 
 
 std::optional<Value> parse_toml_value(std::string_view text, const Where& where, Findings& findings) {
   const std::string statement = "value = " + std::string(text);
-  if (guard_toml(statement, where.file)) return std::nullopt;
+  if (guard_toml(statement, where.file, longest_preset_bytes)) return std::nullopt;
   try {
     const toml::table table = toml::parse(statement);
     const toml::node* node = table.get("value");

@@ -117,12 +117,12 @@ std::optional<Problem> refuse_depth(std::string_view text, const std::string& fi
 
 }  // namespace
 
-std::optional<Problem> guard_toml(std::string_view text, const std::string& file) {
-  if (text.size() > longest_preset_bytes) {
+std::optional<Problem> guard_toml(std::string_view text, const std::string& file, std::size_t most_bytes) {
+  if (text.size() > most_bytes) {
     return Problem{{file},
                    fmt::format("the preset has {} bytes; at most {} KiB are read. Put long lists of points into a CSV "
                                "file",
-                               text.size(), longest_preset_bytes / 1024)};
+                               text.size(), most_bytes / 1024)};
   }
   if (std::optional<Problem> problem = refuse_bytes(text, file)) return problem;
   return refuse_depth(text, file);

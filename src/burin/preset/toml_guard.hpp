@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,9 +9,9 @@
 
 namespace burin::preset {
 
-/// What must not reach toml++: texts above longest_preset_bytes, bytes that are no UTF-8 text, control characters, runs
+/// What must not reach toml++: texts above `most_bytes`, bytes that are no UTF-8 text, control characters, runs
 /// of more than 64 dotted keys (its recursion over them has no limit) and brackets that, with the dots of their keys,
 /// are more than 64 deep. Nothing when the text may be parsed. O(length).
-std::optional<Problem> guard_toml(std::string_view text, const std::string& file);
+std::optional<Problem> guard_toml(std::string_view text, const std::string& file, std::size_t most_bytes);
 
 }  // namespace burin::preset
