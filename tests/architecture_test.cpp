@@ -35,6 +35,7 @@ const std::vector<Room> rooms{
 const std::vector<Library> third_parties{
     {"toml++/", "src/burin/preset/"},     {"muParser", "src/burin/expr/"}, {"cairo", "src/burin/output_cairo/", false},
     {"png.h", "src/burin/output_cairo/"}, {"boost/", "src/cli/"},          {"oneapi/", "src/cli/"},
+    {"zlib.h", "src/cli/recover/"},
 };
 
 constexpr int max_lines = 500;

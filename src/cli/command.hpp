@@ -27,6 +27,7 @@ struct Command {
 };
 
 Command draw_command();
+Command redraw_command();
 Command list_command();
 Command show_command();
 Command check_command();

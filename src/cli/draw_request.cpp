@@ -50,11 +50,11 @@ constexpr std::array option_rows{
 /// Reads the options one after another and collects what is wrong with them.
 class Reader {
  public:
-  explicit Reader(const Arguments& arguments) : arguments_(arguments) {}
+  Reader(const Arguments& arguments, std::string command) : arguments_(arguments), command_(std::move(command)) {}
 
   template <class... Words>
   void report(fmt::format_string<Words...> format, Words&&... words) {
-    problems_.push_back({{"burin draw"}, fmt::format(format, std::forward<Words>(words)...)});
+    problems_.push_back({{command_}, fmt::format(format, std::forward<Words>(words)...)});
   }
 
   void read_preset_word(DrawRequest& request) {
@@ -187,6 +187,7 @@ class Reader {
   }
 
   const Arguments& arguments_;
+  std::string command_;
   Problems problems_;
 };
 
@@ -201,9 +202,10 @@ std::span<const OptionRow> draw_options() {
   return option_rows;
 }
 
-Result<DrawRequest> read_draw_request(const Arguments& arguments) {
-  Reader reader(arguments);
+Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::string& command) {
+  Reader reader(arguments, command);
   DrawRequest request;
+  request.command = command;
   reader.read_preset_word(request);
   request.overrides.knobs = reader.pairs("knob", "-D");
   request.overrides.keys = reader.pairs("set", "--set");

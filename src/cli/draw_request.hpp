@@ -46,8 +46,8 @@ struct DrawRequest {
 
 std::span<const OptionRow> draw_options();
 
-/// Everything that is wrong with the command line at once.
-Result<DrawRequest> read_draw_request(const Arguments& arguments);
+/// Everything that is wrong with the command line at once, as `command` tells it.
+Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::string& command = "burin draw");
 
 /// The choices a back end looks at, for a page of this size.
 OutputOptions output_options(const DrawRequest& request, const Page& page);

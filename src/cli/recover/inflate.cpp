@@ -1,5 +1,4 @@
 #include <algorithm>
-
 #include <zlib.h>
 
 #include <cli/recover/inflate.hpp>

@@ -109,10 +109,11 @@ Result<PdfDocument> PdfDocument::open(const BytesAt& pdf, const std::string& sho
     PdfDictionary trailer;
     if (document.sections_.size() > most_sections ||
         !(document.read_table(*next, trailer) || document.read_table_stream(*next, trailer))) {
-      return Problem{{shown},
-                     fmt::format("is damaged: the PDF has no cross-reference table at byte {}; 'qpdf FILE REPAIRED.pdf' "
-                                 "may repair it",
-                                 *next)};
+      return Problem{
+          {shown},
+          fmt::format("is damaged: the PDF has no cross-reference table at byte {}; 'qpdf FILE REPAIRED.pdf' "
+                      "may repair it",
+                      *next)};
     }
     // A table may name a stream with what old readers need not see.
     const std::optional<std::uint64_t> hidden = count_in(trailer, "XRefStm");
@@ -266,8 +267,7 @@ std::optional<PdfDocument::Place> PdfDocument::place_of(std::uint64_t number) co
 }
 
 /// An object stream: /N pairs "number offset", then at /First the objects.
-std::optional<PdfObject> PdfDocument::object_in(const InStream& place, std::uint64_t number,
- int links_left) const {
+std::optional<PdfObject> PdfDocument::object_in(const InStream& place, std::uint64_t number, int links_left) const {
   const std::optional<Place> stream_place = place_of(place.stream);
   const std::uint64_t* at = stream_place ? std::get_if<std::uint64_t>(&*stream_place) : nullptr;
   const std::optional<Placed> placed = at == nullptr ? std::nullopt : numbered_object_at(*at, place.stream);

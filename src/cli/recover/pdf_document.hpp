@@ -42,8 +42,8 @@ class PdfDocument {
   struct Section {
     std::uint64_t first = 0;  ///< object number
     std::uint64_t count = 0;
-    std::uint64_t table_at = 0;          ///< of a table: offset of its first entry
-    std::string entries{};               ///< of a stream: the entries
+    std::uint64_t table_at = 0;           ///< of a table: offset of its first entry
+    std::string entries{};                ///< of a stream: the entries
     std::array<std::size_t, 3> widths{};  ///< of a stream: bytes of type, offset and generation
   };
 
@@ -67,9 +67,9 @@ class PdfDocument {
   std::optional<PdfObject> object_in(const InStream& place, std::uint64_t number, int links_left) const;
 
   const BytesAt* pdf_;
-  std::uint64_t begin_ = 0;  ///< of the header: offsets count from here
-  std::vector<Section> sections_;  ///< newest first
-  std::size_t table_bytes_ = 0;  ///< held by the sections
+  std::uint64_t begin_ = 0;              ///< of the header: offsets count from here
+  std::vector<Section> sections_;        ///< newest first
+  std::size_t table_bytes_ = 0;          ///< held by the sections
   std::vector<PdfDictionary> trailers_;  ///< newest first
 };
 

@@ -34,7 +34,8 @@ std::optional<unsigned> hexadecimal_digit(char c) {
 }  // namespace
 
 const PdfObject* PdfDictionary::find(std::string_view key) const {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == key; });
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == key; });
   return found == entries.end() ? nullptr : &found->second;
 }
 

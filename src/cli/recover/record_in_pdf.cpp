@@ -15,16 +15,18 @@ Result<std::string> record_in_pdf(const BytesAt& pdf, const std::string& shown) 
   }
   const PdfObject* reference = document->trailer_entry("Info");
   if (reference == nullptr) {
-    return refuse("has no document information, where burin keeps what it drew: it was not drawn by burin, or a "
-                  "program that saved it again dropped it");
+    return refuse(
+        "has no document information, where burin keeps what it drew: it was not drawn by burin, or a "
+        "program that saved it again dropped it");
   }
   const std::optional<PdfObject> info = document->resolved(*reference);
   const PdfDictionary* table = info ? info->as<PdfDictionary>() : nullptr;
   if (table == nullptr) return refuse("is damaged: the PDF's document information (/Info) cannot be read");
   const PdfObject* entry = table->find("Keywords");
   if (entry == nullptr) {
-    return refuse("has no keywords, where burin keeps what it drew: it was not drawn by burin, or a program that saved "
-                  "it again dropped them");
+    return refuse(
+        "has no keywords, where burin keeps what it drew: it was not drawn by burin, or a program that saved "
+        "it again dropped them");
   }
   const std::optional<PdfObject> keywords = document->resolved(*entry);
   const std::string* bytes = keywords ? keywords->as<std::string>() : nullptr;

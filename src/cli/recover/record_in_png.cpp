@@ -67,9 +67,10 @@ Result<std::string> record_in_png(const BytesAt& png, const std::string& shown) 
     const std::string type = head.substr(4);
     if (length > longest_chunk) return refuse(fmt::format("is damaged: a chunk of the PNG claims {} bytes", length));
     if (type == "IEND") {
-      return refuse(fmt::format("has no text chunk '{}': it was not drawn by burin, or a program that saved it again "
-                                "dropped its texts",
-                                keyword));
+      return refuse(
+          fmt::format("has no text chunk '{}': it was not drawn by burin, or a program that saved it again "
+                      "dropped its texts",
+                      keyword));
     }
     const bool is_text = type == "tEXt" || type == "zTXt" || type == "iTXt";
     if (is_text && png.read(at + 8, keyword.size() + 1) == std::string(keyword) + '\0') {

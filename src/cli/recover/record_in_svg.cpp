@@ -47,16 +47,17 @@ Result<std::string> record_in_svg(const BytesAt& svg, const std::string& shown) 
   for (;;) {
     const XmlScanner::Tag tag = scanner.next_tag();
     if (is_root && tag.kind == XmlScanner::Kind::begin && (tag.name != "svg" || tag.space != svg_space)) {
-      return refuse(fmt::format("is XML, but no SVG: its root is <{}>; burin redraws SVG, PDF and PNG files that it drew",
-                                tag.name));
+      return refuse(fmt::format(
+          "is XML, but no SVG: its root is <{}>; burin redraws SVG, PDF and PNG files that it drew", tag.name));
     }
     if (tag.kind == XmlScanner::Kind::broken) {
       return refuse(fmt::format("is cut off or no well-formed XML; {} was looked for in it", looked_for));
     }
     if (tag.kind == XmlScanner::Kind::finished) {
-      return refuse(fmt::format("has no {} in its metadata: it was not drawn by burin, or a program that saved it again "
-                                "dropped its metadata",
-                                looked_for));
+      return refuse(
+          fmt::format("has no {} in its metadata: it was not drawn by burin, or a program that saved it again "
+                      "dropped its metadata",
+                      looked_for));
     }
     is_root = is_root && tag.kind != XmlScanner::Kind::begin;
     if (tag.kind != XmlScanner::Kind::begin || tag.name != "origin" || tag.space != origin_space) continue;
@@ -64,9 +65,10 @@ Result<std::string> record_in_svg(const BytesAt& svg, const std::string& shown) 
         tag.empty ? std::nullopt : scanner.text_content(2 * longest_record_bytes);
     const std::optional<std::string> text = content ? exact_text(*content) : std::nullopt;
     if (text && text->size() <= longest_record_bytes) return *text;
-    return refuse(fmt::format("its {} is damaged: it must hold a text of at most {} MiB with burin's escapes and "
-                              "nothing else",
-                              looked_for, longest_record_bytes >> 20U));
+    return refuse(
+        fmt::format("its {} is damaged: it must hold a text of at most {} MiB with burin's escapes and "
+                    "nothing else",
+                    looked_for, longest_record_bytes >> 20U));
   }
 }
 

@@ -28,13 +28,20 @@ struct RecordRow {
 };
 
 constexpr std::array rows{
-    RecordRow{"seed", "seed", RowKind::text},         RecordRow{"knobs", "knob", RowKind::list},
-    RecordRow{"set", "set", RowKind::list},           RecordRow{"page", "page", RowKind::text},
-    RecordRow{"landscape", "landscape", RowKind::flag}, RecordRow{"margin", "margin", RowKind::text},
-    RecordRow{"format", "format", RowKind::text},     RecordRow{"backend", "backend", RowKind::text},
-    RecordRow{"size", "size", RowKind::text},         RecordRow{"dpi", "dpi", RowKind::text},
-    RecordRow{"decimals", "decimals", RowKind::text}, RecordRow{"paper", "paper", RowKind::flag},
-    RecordRow{"all-points", "all-points", RowKind::flag}, RecordRow{"only", "only", RowKind::list},
+    RecordRow{"seed", "seed", RowKind::text},
+    RecordRow{"knobs", "knob", RowKind::list},
+    RecordRow{"set", "set", RowKind::list},
+    RecordRow{"page", "page", RowKind::text},
+    RecordRow{"landscape", "landscape", RowKind::flag},
+    RecordRow{"margin", "margin", RowKind::text},
+    RecordRow{"format", "format", RowKind::text},
+    RecordRow{"backend", "backend", RowKind::text},
+    RecordRow{"size", "size", RowKind::text},
+    RecordRow{"dpi", "dpi", RowKind::text},
+    RecordRow{"decimals", "decimals", RowKind::text},
+    RecordRow{"paper", "paper", RowKind::flag},
+    RecordRow{"all-points", "all-points", RowKind::flag},
+    RecordRow{"only", "only", RowKind::list},
     RecordRow{"skip", "skip", RowKind::list},
 };
 
@@ -49,9 +56,8 @@ class RecordReader {
     recovered.preset.file = text("preset");
     recovered.preset.source.text = text("text");
     recovered.preset.source.name = fmt::format("{} ({})", recovered.preset.file, where_);
-    recovered.preset.stem = recovered.preset.file == "-"
-                                ? std::string(stdin_stem)
-                                : std::filesystem::path(recovered.preset.file).stem().string();
+    recovered.preset.stem = recovered.preset.file == "-" ? std::string(stdin_stem)
+                                                         : std::filesystem::path(recovered.preset.file).stem().string();
     for (const params::Entry& entry : table_.entries) read_entry(entry.key, entry.value, recovered);
     if (!problems_.empty()) return std::move(problems_);
     return recovered;
