@@ -38,12 +38,12 @@ class RecordedData {
   Result<std::string> read(std::string_view name) {
     const auto is_this = [&](const params::DataDigest& data) { return data.name == name; };
     const auto known = std::find_if(recorded_.begin(), recorded_.end(), is_this);
-    Problems problems;
+    std::optional<Problem> missing;
     std::optional<std::string> changed;
     for (const std::string& folder : folders_) {
       Result<std::string> bytes = data_reader(folder)(name);
       if (!bytes) {
-        problems.insert(problems.end(), bytes.problems().begin(), bytes.problems().end());
+        if (!missing) missing = bytes.problems().front();
       } else if (known == recorded_.end() || sha256_hex(*bytes) == known->sha256) {
         return *std::move(bytes);
       } else if (!changed) {
@@ -51,8 +51,8 @@ class RecordedData {
       }
     }
     if (!changed) {
-      problems.back().message += "; --data-folder tells where data files are";
-      return problems;
+      missing->message += "; --data-folder tells where data files are";
+      return *std::move(missing);
     }
     changed_.emplace_back(name);
     return *std::move(changed);
