@@ -10,6 +10,7 @@
 #include <cli/formats.hpp>
 #include <cli/output_target.hpp>
 #include <cli/redraw_request.hpp>
+#include <cli/single_request.hpp>
 
 namespace burin::cli {
 
@@ -93,11 +94,7 @@ bool is_used(std::string_view option, const DrawRequest& request) {
 }  // namespace
 
 std::span<const OptionRow> redraw_options() {
-  static const std::vector<OptionRow> rows = [] {
-    std::vector<OptionRow> all(draw_options().begin(), draw_options().end());
-    all.insert(all.end(), own_rows.begin(), own_rows.end());
-    return all;
-  }();
+  static const std::vector<OptionRow> rows = single_options(own_rows);
   return rows;
 }
 
@@ -111,7 +108,7 @@ Result<DrawRequest> redraw_request(const Recovered& recovered, const Arguments& 
   for (Options more : {typed_options(typed), output_choices(recovered, typed, file)}) {
     options.insert(options.end(), more.begin(), more.end());
   }
-  const auto read = [&] { return read_draw_request(Arguments({recovered.preset.file}, options), "burin redraw"); };
+  const auto read = [&] { return read_single_request(Arguments({recovered.preset.file}, options), "burin redraw"); };
 
   // Which choices of the record are of use is known when the formats are.
   const Result<DrawRequest> outputs = read();
