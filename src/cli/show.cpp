@@ -4,23 +4,34 @@
 
 #include <fmt/format.h>
 
+#include <burin/base/number_text.hpp>
 #include <burin/base/suggest.hpp>
 #include <burin/curves/family.hpp>
+#include <burin/curves/two_point/dimension.hpp>
+#include <burin/curves/two_point/named_motifs.hpp>
 #include <burin/preset/load.hpp>
 #include <cli/command.hpp>
 #include <cli/help.hpp>
+#include <cli/motif_file.hpp>
 #include <cli/preset_library.hpp>
 
 namespace burin::cli {
 
 namespace {
 
-constexpr std::array option_rows{OptionRow{"text", 0, "", "print the preset itself"}};
+namespace two_point = curves::two_point;
+
+constexpr std::array option_rows{
+    OptionRow{"text", 0, "", "print the preset itself"},
+    OptionRow{"motif", 0, "", "the motif of this name; with -o, the preset's motifs"},
+    OptionRow{"output", 'o', "FILE", "draw the motifs: .svg, .pdf, .png, or - for stdout"}};
 
 constexpr std::array examples{
     Example{"burin show koch", "the knobs of a preset, with ranges and defaults"},
     Example{"burin show koch --text", "the preset itself"},
     Example{"burin show two-point", "the parameters of a curve family"},
+    Example{"burin show gosper", "source, dimension, marks and flags of a motif"},
+    Example{"burin show dragon --motif -o motif.svg", "the motif of a preset, large, with its directions"},
     Example{"burin show layer", "the keys of a [[layer]] in a preset"},
 };
 
@@ -39,6 +50,34 @@ std::string family_text(const curves::Family& family) {
   return fmt::format("{}: {}\n", family.name, family.summary) +
          (family.source.empty() ? "" : fmt::format("source: {}\n", family.source)) + '\n' +
          fields_text(family.fields());
+}
+
+/// "1, 3": the sub-edges, from 1, that have a flag; "none".
+std::string flagged_text(const std::vector<std::uint8_t>& flags) {
+  std::string text;
+  for (std::size_t j = 0; j < flags.size(); ++j) {
+    if (flags[j] != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", j + 1);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string motif_text(const two_point::NamedMotif& row) {
+  const two_point::Motif motif = two_point::motif_from(row);
+  std::string text = fmt::format("{}: {}\n", row.name, row.summary);
+  if (!row.alias.empty()) text += fmt::format("also called: {}\n", row.alias);
+  text += wrapped(fmt::format("source: {}", row.source), 0, 0);
+  if (const std::optional<double> dimension = two_point::similarity_dimension(motif)) {
+    text += fmt::format("dimension: {:.6f}", *dimension);
+    text += row.dimension_note.empty() ? "\n" : fmt::format(" by its ratios only, since {}\n", row.dimension_note);
+  }
+  text += fmt::format("\nmotif = \"{}\" is short for\nmotif = {}\n", row.name, two_point::table_text(row));
+  text += "\nmarks (along the edge, to the right of it):\n";
+  for (const two_point::Mark& mark : motif.by_level.front().by_edge.front()) {
+    text += fmt::format("  {:>9}  {:>9}\n", fixed_text(mark.alpha.low, 6), fixed_text(mark.beta.low, 6));
+  }
+  if (row.sign) return text + fmt::format("sign: {}\n", params::ValueType<two_point::SignRule>::text(*motif.sign));
+  return text + fmt::format("mirrored edges: {}\nedges built from their far end: {}\n", flagged_text(motif.flip),
+                            flagged_text(motif.reverse));
 }
 
 std::string knobs_text(const std::vector<preset::KnobInfo>& knobs) {
@@ -65,6 +104,9 @@ ExitCode show_preset(const std::string& name, bool only_text, const Console& con
   text += '\n';
   if (!about.summary.empty()) text += wrapped(about.summary, 0, 0);
   text += fmt::format("file: {}\n", preset->source.name);
+  if (two_point::find_motif(name) != nullptr) {
+    text += fmt::format("There is also a motif of this name: burin show {} --motif\n", name);
+  }
   if (summary->knobs.empty()) return console.print(text + "\nIt has no knobs.\n");
   return console.print(text + fmt::format("\nknobs, turned with burin draw {} -D NAME=VALUE:\n", name) +
                        knobs_text(summary->knobs));
@@ -75,35 +117,57 @@ ExitCode unknown_name(const std::string& name, const std::vector<preset::FormatT
   for (const ShippedPreset& preset : library_presets()) names.push_back(preset.name);
   for (const curves::Family& family : curves::catalogue()) names.emplace_back(family.name);
   for (const preset::FormatTable& table : tables) names.emplace_back(table.name);
+  for (const two_point::NamedMotif& motif : two_point::named_motifs()) names.emplace_back(motif.name);
   const std::vector<std::string_view> known(names.begin(), names.end());
-  return console.fail({Problem{
-      {"burin show"}, fmt::format("no preset, family or table is called '{}'{}", name, suggestion(name, known))}});
+  return console.fail(
+      {Problem{{"burin show"},
+               fmt::format("no preset, family, motif or table is called '{}'{}", name, suggestion(name, known))}});
+}
+
+/// --motif and --output.
+ExitCode show_motif(const std::string& name, const Arguments& arguments, const Console& console) {
+  if (const std::optional<std::string> path = arguments.value("output")) {
+    return write_motif_file(name, *path, console);
+  }
+  if (const two_point::NamedMotif* row = two_point::find_motif(name)) return console.print(motif_text(*row));
+  const std::string advice = fmt::format("no motif is called '{}'; to draw a preset's motifs add -o FILE.svg", name);
+  return console.fail_usage({Problem{{"burin show --motif"}, advice}}, "burin show");
 }
 
 ExitCode run(const Arguments& arguments, const Console& console) {
   if (arguments.words().size() != 1) {
-    return console.fail_usage({Problem{{"burin show"}, "name one preset, family or table of the preset format"}},
+    return console.fail_usage({Problem{{"burin show"}, "name one preset, family, motif or table of the preset format"}},
                               "burin show");
   }
   const std::string& name = arguments.words().front();
   const bool only_text = arguments.has("text");
+  if (arguments.has("motif") || arguments.has("output")) {
+    if (!only_text && arguments.has("motif")) return show_motif(name, arguments, console);
+    const std::string advice = only_text ? "--text and --motif do not go together" : "-o FILE needs --motif";
+    return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
+  }
   if (only_text || is_preset_path(name) || is_library_preset(name)) return show_preset(name, only_text, console);
   if (const curves::Family* family = curves::find_family(name)) return console.print(family_text(*family));
   const std::vector<preset::FormatTable> tables = preset::format_tables();
   const auto table =
       std::find_if(tables.begin(), tables.end(), [&](const preset::FormatTable& t) { return t.name == name; });
-  if (table == tables.end()) return unknown_name(name, tables, console);
-  return console.print(fmt::format("{}: {}\n\n", table->name, table->summary) + fields_text(table->fields));
+  if (table != tables.end()) {
+    return console.print(fmt::format("{}: {}\n\n", table->name, table->summary) + fields_text(table->fields));
+  }
+  if (const two_point::NamedMotif* row = two_point::find_motif(name)) return console.print(motif_text(*row));
+  return unknown_name(name, tables, console);
 }
 
 }  // namespace
 
 Command show_command() {
   return {"show",
-          "show a preset's knobs, a family's parameters, a table's keys",
-          "NAME [--text]",
-          "NAME is a preset (a name or a file), a curve family ('burin list families'), or a table of the preset "
-          "format: about, page, knob, pen, slot, layer.",
+          "show a preset, a curve family, a motif, or a table's keys",
+          "NAME [--text | --motif [-o FILE]]",
+          "NAME is a preset (a name or a file), a curve family ('burin list families'), a motif ('burin list motifs') "
+          "or a table of the preset format: about, page, knob, pen, slot, layer.\n\n"
+          "In a drawn motif the unit edge is dashed. A half arrow on an edge points the way in which it is built; its "
+          "barb is on its right, or on its left where the edge is mirrored.",
           option_rows,
           examples,
           &run};
