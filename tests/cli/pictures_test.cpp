@@ -15,6 +15,7 @@ namespace {
 TEST(Pictures, AreWhatTheToolDraws) {
   int pictures = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(BURIN_SOURCE_DIR) + "/docs/images")) {
+    if (!entry.is_regular_file()) continue;
     const std::string preset = entry.path().stem().string();
     const TemporaryFolder folder;
     const Finished drawn = burin_in(folder, {"draw", preset, "--paper", "-o", "-"});

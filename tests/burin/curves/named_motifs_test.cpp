@@ -68,6 +68,15 @@ TEST(NamedMotifs, DimensionsAreTheReferences) {
   EXPECT_NEAR(row_dimension("quad32"), 5.0 / 3, 1e-14);
 }
 
+TEST(NamedMotifs, DimensionsOfTheOthersAreInClosedForm) {
+  EXPECT_NEAR(row_dimension("altterdragon"), 2.0, 1e-14);
+  EXPECT_NEAR(row_dimension("quartet"), 2.0, 1e-14);
+  EXPECT_NEAR(row_dimension("dekking"), 2.0, 1e-14);
+  EXPECT_NEAR(row_dimension("gosper-side"), std::log(9.0) / std::log(7.0), 1e-14);
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  EXPECT_NEAR(row_dimension("pentigree"), std::log(6.0) / std::log(golden * golden), 1e-14);
+}
+
 TEST(NamedMotifs, ADimensionNeedsOneMotifThatContracts) {
   const auto dimension = [](const char* motif) {
     return similarity_dimension(burin::testing::two_point(std::string(R"({"motif": )") + motif + "}").motif);
@@ -151,8 +160,9 @@ std::pair<long long, long long> cell(Vec2 p) {
 }
 
 TEST(NamedMotifs, NoEdgeIsDrawnTwice) {
-  const std::pair<const char*, int> motifs[] = {{"heighway", 10}, {"altpaper", 10}, {"terdragon", 7}, {"gosper", 4},
-                                                {"r5dragon", 5},  {"peano9", 3},    {"quad5", 5}};
+  const std::pair<const char*, int> motifs[] = {{"heighway", 10}, {"altpaper", 10},    {"terdragon", 7}, {"gosper", 4},
+                                                {"r5dragon", 5},  {"altterdragon", 7}, {"quartet", 4},   {"dekking", 2},
+                                                {"peano9", 3},    {"quad5", 5}};
   const auto distinct_edges = [](const char* name, int levels) {
     const std::vector<Vec2> points = curve(name, levels);
     std::set<std::pair<std::pair<long long, long long>, std::pair<long long, long long>>> edges;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -5,7 +6,8 @@
 #include "support/curve_summary.hpp"
 #include "support/json_value.hpp"
 
-/// The reference's vectors for the two-point scheme: curves.json, A_generators and A_rules.
+/// Reference vectors for the two-point scheme: curves.json (A_generators and A_rules), and planepath.json, which has
+/// the first points of curves as the Perl module Math::PlanePath computes them.
 namespace burin::curves {
 namespace {
 
@@ -56,6 +58,43 @@ TEST(TwoPointVectors, ThePrintedVariantsGoByAName) {
     }
     params["levels"] = rule["high_level"];
     expect_summary(draw_points(two_point(params.dump())), false, rule["high"]);
+  }
+}
+
+/// Whether a similarity carries one sequence of points into the other: the one that carries their ends, after a
+/// reflection or not.
+bool similar(const std::vector<Vec2>& points, const std::vector<Vec2>& expected, bool reflected) {
+  const auto seen = [&](Vec2 p) { return reflected ? Vec2{p.x, -p.y} : p; };
+  const Vec2 from = seen(points.back()) - seen(points.front());
+  const Vec2 to = expected.back() - expected.front();
+  // to / from, as complex numbers.
+  const Vec2 factor = (1.0 / length_squared(from)) * Vec2{dot(from, to), cross(from, to)};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 image = expected.front() + complex_product(factor, seen(points[i]) - seen(points.front()));
+    if (distance(image, expected[i]) > 1e-9 * length(to)) return false;
+  }
+  return true;
+}
+
+TEST(TwoPointVectors, NamedMotifsAreTheCurvesOfMathPlanePath) {
+  const json curves = testing::reference("planepath.json")["curves"];
+  ASSERT_EQ(curves.size(), 15U);
+  for (const auto& [name, curve] : curves.items()) {
+    const json& flat = curve["points"];
+    const double row_height = curve["triangular"].get<bool>() ? std::sqrt(3.0) : 1.0;
+    std::vector<Vec2> expected;
+    for (std::size_t i = 0; i < flat.size(); i += 2) {
+      expected.push_back({flat[i].get<double>(), row_height * flat[i + 1].get<double>()});
+    }
+    std::size_t edges = 1;
+    for (int level = 1; level <= curve["levels"].get<int>(); ++level) {
+      edges *= curve["edges"].get<std::size_t>();
+      const std::vector<Vec2> begin(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(edges) + 1);
+      const std::vector<Vec2> points =
+          draw_points(two_point(json({{"motif", curve["motif"]}, {"levels", level}}).dump()));
+      ASSERT_EQ(points.size(), begin.size()) << name;
+      EXPECT_TRUE(similar(points, begin, false) || similar(points, begin, true)) << name << " level " << level;
+    }
   }
 }
 
