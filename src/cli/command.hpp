@@ -13,6 +13,7 @@ namespace burin::cli {
 struct Example {
   std::string_view line;
   std::string_view what;
+  bool endless = false;  ///< runs until Ctrl-C
 };
 
 /// A row of the table of commands: all that is known of one. Its file defines the function that returns the row.
@@ -28,6 +29,7 @@ struct Command {
 
 Command draw_command();
 Command redraw_command();
+Command watch_command();
 Command list_command();
 Command show_command();
 Command check_command();
