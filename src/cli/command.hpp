@@ -34,6 +34,7 @@ Command list_command();
 Command show_command();
 Command check_command();
 Command new_command();
+Command gallery_command();
 
 /// All commands, in the order of the help.
 std::span<const Command> commands();

@@ -7,7 +7,7 @@ namespace burin::cli {
 
 std::span<const Command> commands() {
   static const std::array table{draw_command(), redraw_command(), watch_command(), list_command(),
-                                show_command(), check_command(),  new_command()};
+                                show_command(), check_command(),  new_command(),   gallery_command()};
   return table;
 }
 
