@@ -36,8 +36,7 @@ constexpr std::array option_rows{
 
 constexpr std::array examples{
     Example{"burin gallery -o pictures", "every shipped preset, with pictures/README.md to read them by"},
-    Example{"burin gallery && burin gallery --check", "drawn, and found as it should be"},
-    Example{"mkdir mine && burin new mine/a.toml --from koch && burin gallery --presets mine", "presets of your own"},
+    Example{"burin new my.toml --from koch && burin gallery --presets . -o mine", "presets of your own"},
 };
 
 constexpr std::string_view page_file = "README.md";
@@ -184,8 +183,6 @@ ExitCode write_all_files(const Request& request, const GalleryFiles& files, bool
   Temporaries temporaries;
   const Interrupt interrupt([&temporaries] { temporaries.remove_all(); });
   std::error_code error;
-  fs::create_directories(request.folder, error);
-  if (error) return console.fail({write_problem(request.folder, error.value())});
   for (const std::string& name : leftovers(request, files)) fs::remove(path_in(request, name), error);
   std::size_t written = 0;
   for (const auto& [name, file] : files) {
@@ -210,6 +207,9 @@ ExitCode write_all_files(const Request& request, const GalleryFiles& files, bool
 ExitCode run(const Arguments& arguments, const Console& console) {
   const Result<Request> request = read_request(arguments);
   if (!request) return console.fail_usage(request.problems(), "burin gallery");
+  std::error_code error;
+  if (!request->check) fs::create_directories(request->folder, error);
+  if (error) return console.fail({write_problem(request->folder, error.value())});
   const Result<GalleryFiles> files = draw_all(*request);
   if (!files) return console.fail(files.problems());
   const bool quiet = arguments.has("quiet");
