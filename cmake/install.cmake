@@ -2,6 +2,9 @@
 # of them relocatable. The tool installs itself in src/cli.
 include(CMakePackageConfigHelpers)
 
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/src/burin/curves/text/hershey/LICENSE-hershey
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
 set(burin_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/burin)
 set(burin_pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

@@ -1,7 +1,6 @@
-#include <cstdint>
-
 #include <fmt/format.h>
 
+#include <burin/base/utf8.hpp>
 #include <burin/base/xml_text.hpp>
 
 namespace burin {
@@ -10,21 +9,9 @@ namespace {
 
 /// The length in bytes of the character of XML 1.0 (section 2.2) that `text` begins with; 0 when it begins with none.
 std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
-  const std::uint32_t first = byte(0);
-  if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
-
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  std::uint32_t code = first & (0x7FU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-    code = code << 6U | (byte(i) & 0x3FU);
-  }
-  constexpr std::uint32_t least_of_length[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  const bool no_character = code == 0xFFFE || code == 0xFFFF;
-  return code < least_of_length[length] || code > 0x10FFFF || surrogate || no_character ? 0 : length;
+  const auto [code, length] = first_utf8_character(text);
+  const bool control = code < 0x20 && code != '\t' && code != '\n' && code != '\r';
+  return control || code == 0xFFFE || code == 0xFFFF ? 0 : length;
 }
 
 void append_character(std::string& xml, std::string_view character) {

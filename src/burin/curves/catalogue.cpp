@@ -2,13 +2,15 @@
 #include <array>
 
 #include <burin/curves/family.hpp>
+#include <burin/curves/text/text.hpp>
 #include <burin/curves/two_point/two_point.hpp>
 
 namespace burin::curves {
 
 std::span<const Family> catalogue() {
-  static const std::array<Family, 1> families{
+  static const std::array<Family, 2> families{
       two_point_family(),
+      text_family(),
   };
   return families;
 }

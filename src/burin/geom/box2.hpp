@@ -42,6 +42,10 @@ struct Box2 {
   constexpr bool contains_disc(Vec2 c, double r) const {
     return c.x - r >= low.x && c.x + r <= high.x && c.y - r >= low.y && c.y + r <= high.y;
   }
+  /// Whether the boxes share a point. An empty box touches nothing.
+  constexpr bool touches(const Box2& other) const {
+    return other.low.x <= high.x && other.high.x >= low.x && other.low.y <= high.y && other.high.y >= low.y;
+  }
   constexpr Box2 grown(double by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
 };
 

@@ -18,6 +18,12 @@ struct DataDigest {
   std::string sha256;
 };
 
+/// What {name} stands for in a caption.
+struct Placeholder {
+  std::string name;
+  std::string value;
+};
+
 /// What readers of values need besides the value. The preset room fills it in; readers report into `problems` and go
 /// on, so that all problems are shown together.
 struct ReadContext {
@@ -31,6 +37,9 @@ struct ReadContext {
 
   /// Reads a data file named in the preset and notes its digest.
   ReadFile read_file;
+
+  /// What captions may quote.
+  std::vector<Placeholder> placeholders{};
 
   void report(const Where& where, std::string message) { problems.push_back({where, std::move(message)}); }
 };

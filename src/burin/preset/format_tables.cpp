@@ -12,7 +12,9 @@ std::vector<FormatTable> format_tables() {
       {"knob", "what can be turned with -D; $name stands for its value", params::field_infos<KnobSpec>()},
       {"pen", "what draws; numbered in file order", params::field_infos<PenSpec>()},
       {"slot", "a rectangle of the page with one fit for the layers in it", params::field_infos<SlotSpec>()},
-      {"layer", "a curve drawn with a pen in a slot; its 'curve' is a define's name or a table with 'family'",
+      {"layer",
+       "a curve or a text drawn with a pen in a slot: 'curve' is a define's name or a table with 'family', 'text' what "
+       "is written or a table with 'text'",
        params::field_infos<LayerStyle>()},
       {"base", "what a curve refines, written as a table", curves::base_fields()},
       {"motif", "what replaces an edge, written as a table", curves::two_point::motif_fields()},

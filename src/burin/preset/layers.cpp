@@ -26,7 +26,7 @@ const std::string* text_of(const Table* table, std::string_view key) {
 /// "layer" when the curve does not tell.
 std::string implied_name(const Value& layer) {
   const Value* curve = layer.table() == nullptr ? nullptr : layer.table()->find("curve");
-  if (curve == nullptr) return "layer";
+  if (curve == nullptr) return layer.table() != nullptr && layer.table()->find("text") != nullptr ? "text" : "layer";
   if (curve->text() != nullptr) return *curve->text();
   for (const char* key : {"like", "family"}) {
     if (const std::string* name = text_of(curve->table(), key)) return *name;
@@ -62,14 +62,20 @@ class LayerReader {
       params::report_kind(value, "a table: [[layer]]", context_);
       return layer;
     }
-    params::read_fields(*table, layer.style, "layer '" + name + "'", context_, {"curve"});
+    params::read_fields(*table, layer.style, "layer '" + name + "'", context_, {"curve", "text"});
     layer.style.name = name;
     check_style(*table, layer.style, value.where);
     if (layer.style.pen.of.empty()) layer.style.pen.of = {std::string(pens_.front())};
-    if (const Value* curve = table->find("curve")) {
+    const Value* curve = table->find("curve");
+    const Value* text = table->find("text");
+    if (curve != nullptr && text != nullptr) {
+      context_.report(text->where, fmt::format("layer '{}' has a 'curve' and a 'text'; give each its own layer", name));
+    } else if (curve != nullptr) {
       read_curve(*curve, layer);
+    } else if (text != nullptr) {
+      read_text(*text, layer);
     } else {
-      context_.report(value.where, fmt::format("layer '{}' draws nothing; give it a 'curve'", name));
+      context_.report(value.where, fmt::format("layer '{}' draws nothing; give it a 'curve' or a 'text'", name));
     }
     return layer;
   }
@@ -134,9 +140,34 @@ class LayerReader {
       params::report_kind(*curve, "the name of a define or a table with 'family'", context_);
       return;
     }
-    const Value* family = table->find("family");
+    read_family(*table, curve->where, layer);
+  }
+
+  /// `text = "..."` and `text = { text = "...", ... }` are short for a curve of the family of that name.
+  void read_text(const Value& value, Layer& layer) {
+    const std::string family = "text";
+    Table table;
+    if (value.table() != nullptr) {
+      table = *value.table();
+    } else if (value.text() != nullptr) {
+      table.set("text", value);
+    } else {
+      params::report_kind(value, "what is written, or a table with 'text'", context_);
+      return;
+    }
+    const Value* written = table.find("family");
+    if (written != nullptr && (written->text() == nullptr || *written->text() != family)) {
+      context_.report(written->where, "a text has no other family; draw curves by 'curve'");
+      return;
+    }
+    table.set("family", {value.where, family});
+    read_family(table, value.where, layer);
+  }
+
+  void read_family(const Table& table, const Where& where, Layer& layer) {
+    const Value* family = table.find("family");
     if (family == nullptr) {
-      context_.report(curve->where, fmt::format("a curve needs a 'family'{}", suggestion("", family_names())));
+      context_.report(where, fmt::format("a curve needs a 'family'{}", suggestion("", family_names())));
       return;
     }
     if (family->text() == nullptr) {
@@ -149,7 +180,7 @@ class LayerReader {
                       fmt::format("no family '{}'{}", *family->text(), suggestion(*family->text(), family_names())));
       return;
     }
-    if (std::optional<std::any> parameters = layer.family->read(*table, context_, {"family"})) {
+    if (std::optional<std::any> parameters = layer.family->read(table, context_, {"family"})) {
       layer.parameters = *std::move(parameters);
     }
   }

@@ -123,6 +123,18 @@ SetKnobs set_knobs(Reading& reading, std::uint64_t seed, const Overrides& overri
   return {std::move(knobs), substitution.seed_was_used()};
 }
 
+/// What captions may quote: the piece's seed does not make it random there, as it only labels the drawing.
+std::vector<params::Placeholder> placeholders(const Piece& piece, const std::vector<Knob>& knobs) {
+  std::vector<params::Placeholder> all{{"title", piece.about.title},
+                                       {"author", piece.about.author},
+                                       {"summary", piece.about.summary},
+                                       {"seed", std::to_string(piece.seed)}};
+  for (const Knob& knob : knobs) {
+    if (knob.value) all.push_back({knob.name, scalar_text(*knob.value)});
+  }
+  return all;
+}
+
 Piece read_piece(Reading& reading, const Overrides& overrides, const ReadFile& read_file) {
   Findings& findings = reading.findings;
   Table& root = reading.root;
@@ -133,12 +145,14 @@ Piece read_piece(Reading& reading, const Overrides& overrides, const ReadFile& r
   ReadContext context = reading.context(read_file);
   Piece piece;
   piece.seed = read_seed(root, overrides, findings);
-  piece.seed_in_values = set_knobs(reading, piece.seed, overrides, context).seed_was_used;
+  const SetKnobs set = set_knobs(reading, piece.seed, overrides, context);
+  piece.seed_in_values = set.seed_was_used;
   const Value* layers = root.find("layer");
   const std::vector<std::string> names =
       layers == nullptr || layers->array() == nullptr ? std::vector<std::string>{} : layer_names(*layers->array());
   resolve_likes(root, findings);
   piece.about = read_about(root, context);
+  context.placeholders = placeholders(piece, set.knobs);
   piece.page = read_page(root, reading.file, context);
   piece.pens = read_pens(root, context);
   piece.slots = read_slots(root, context);

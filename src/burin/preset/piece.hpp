@@ -157,7 +157,7 @@ constexpr auto words(FillRule) {
   return std::array<params::Word<FillRule>, 2>{{{"nonzero", FillRule::nonzero}, {"evenodd", FillRule::evenodd}}};
 }
 
-/// The keys of a layer besides its source (`curve`), which the layer reader takes apart itself.
+/// The keys of a layer besides its source (`curve` or `text`), which the layer reader takes apart itself.
 struct LayerStyle {
   std::string name;
   std::string slot;
@@ -174,7 +174,7 @@ struct LayerStyle {
 
   static constexpr auto fields() {
     return std::tuple{
-        params::field("name", &LayerStyle::name, "name of the layer; unset: its curve's"),
+        params::field("name", &LayerStyle::name, "name of the layer; unset: its curve's, or text"),
         params::field("slot", &LayerStyle::slot, "where it is drawn; unset: the live area"),
         params::field("pen", &LayerStyle::pen,
                       "a pen, or { by = \"f(x,y)\", at = [...], of = [...] }; unset: the first"),

@@ -14,6 +14,11 @@ namespace {
 
 /// Cases of a family, as JSON. A new family adds its own line.
 std::vector<std::string> cases_of(std::string_view family) {
+  if (family == "text") {
+    return {R"({"text": "."})", R"({"text": "Àß\n\n œ", "font": "italic-bold", "align": "center", "line_height": 0})",
+            R"({"text": "one\r\nthree", "align": "right", "tracking": -1, "slant": 60, "font": "script"})",
+            R"({"text": "||||", "tracking": 100, "line_height": 100, "slant": -60, "font": "gothic"})"};
+  }
   EXPECT_EQ(family, "two-point") << "a new family needs its cases here";
   return {
       R"({})",

@@ -100,7 +100,7 @@ TEST(Layer, ReportsAStyleThatDrawsNothing) {
             "p.toml:8:8: error: no pen 'blue'; known: ink, red\n");
   EXPECT_EQ(style_complaint("form = 'sphere'\nmitre = 3"),
             "p.toml:6:1: error: unknown key 'form' in layer 'two-point'; known: name, slot, pen, fill, rule, stroke, "
-            "caps, joins, miter, dashes, opacity, seed, curve\n"
+            "caps, joins, miter, dashes, opacity, seed, curve, text\n"
             "p.toml:7:1: error: unknown key 'mitre' in layer 'two-point'; did you mean 'miter'?\n");
 }
 
@@ -109,10 +109,10 @@ TEST(Layer, NeedsACurve) {
     return complaints("burin = 1\ndefine.bud = { points = [[0, 0], [1, 0]] }\ndefine.n = 3\n[[layer]]\n" +
                       std::string(curve) + "\n");
   };
-  EXPECT_EQ(complaint(""), "p.toml:4:1: error: layer 'layer' draws nothing; give it a 'curve'\n");
+  EXPECT_EQ(complaint(""), "p.toml:4:1: error: layer 'layer' draws nothing; give it a 'curve' or a 'text'\n");
   EXPECT_EQ(complaint("curve = 3"),
             "p.toml:5:9: error: expected the name of a define or a table with 'family', found a whole number\n");
-  EXPECT_EQ(complaint("curve = { levels = 3 }"), "p.toml:5:9: error: a curve needs a 'family'; known: two-point\n");
+  EXPECT_EQ(complaint("curve = { levels = 3 }"), "p.toml:5:9: error: a curve needs a 'family'; known: two-point, text\n");
   EXPECT_EQ(complaint("curve = { family = 'two-pint' }"),
             "p.toml:5:21: error: no family 'two-pint'; did you mean 'two-point'?\n");
   EXPECT_EQ(complaint("curve = { family = 3 }"),
@@ -120,7 +120,7 @@ TEST(Layer, NeedsACurve) {
   EXPECT_EQ(complaint("curve = 'two-point'"),
             "p.toml:5:10: error: 'two-point' is a family; write curve = { family = \"two-point\" }\n");
   EXPECT_EQ(complaint("curve = 'flake'"), "p.toml:5:10: error: no curve 'flake' in [define]\n");
-  EXPECT_EQ(complaint("curve = 'bud'"), "p.toml:2:14: error: a curve needs a 'family'; known: two-point\n");
+  EXPECT_EQ(complaint("curve = 'bud'"), "p.toml:2:14: error: a curve needs a 'family'; known: two-point, text\n");
   EXPECT_EQ(complaint("curve = { family = 'two-point', amplitud = 1, levels = 4000 }"),
             "p.toml:5:33: error: unknown key 'amplitud' in curve; known: base, motif, sign, levels, family\n"
             "p.toml:5:56: error: 'levels' = 4000 is outside [0, 1000]\n");
