@@ -28,6 +28,7 @@ struct Command {
 };
 
 Command draw_command();
+Command sheet_command();
 Command redraw_command();
 Command watch_command();
 Command list_command();

@@ -9,6 +9,7 @@
 #include <cli/draw_series.hpp>
 #include <cli/file_io.hpp>
 #include <cli/interrupt.hpp>
+#include <cli/series_problems.hpp>
 #include <cli/tbb_executor.hpp>
 
 namespace burin::cli {
@@ -24,23 +25,9 @@ constexpr std::array examples{
     Example{"burin draw koch -q -o - --format csv | head -n 3", "into another program"},
 };
 
-/// All that is wrong with the preset itself, or what its summary tells of it.
-Result<preset::Summary> summary_of(const PresetText& preset, const preset::Overrides& overrides) {
-  Result<preset::Summary> summary = preset::summarise(preset.source, overrides);
-  if (summary) return summary;
-  const Result<ReadyPiece> all_of_it = make_ready(preset, overrides, data_reader(preset.folder));
-  return all_of_it ? summary : all_of_it.problems();
-}
-
-/// What is worth knowing although all went well.
-std::string warnings(const DrawRequest& request, const SeriesOutcome& outcome) {
-  if (request.series.seeds.empty() || outcome.uses_seed) return {};
-  return fmt::format("warning: nothing in '{}' is random: every seed gives the same picture\n", request.preset);
-}
-
 ExitCode tell(const SeriesOutcome& outcome, const DrawRequest& request, const Console& console) {
   if (request.quiet) return ExitCode::done;
-  if (const std::string text = warnings(request, outcome); !text.empty()) console.note(text);
+  if (!outcome.uses_seed) console.note(seed_warning(request));
   if (!request.writes_stdout()) return console.print(outcome.all.report);
   console.note(outcome.all.report);
   return ExitCode::done;
@@ -51,9 +38,7 @@ ExitCode run(const Arguments& arguments, const Console& console) {
   if (!request) return console.fail_usage(request.problems(), "burin draw");
   const Result<PresetText> preset = read_preset(request->preset);
   if (!preset) return console.fail(preset.problems());
-  const Result<preset::Summary> summary = summary_of(*preset, request->overrides);
-  if (!summary) return console.fail(summary.problems());
-  const Result<Series> series = Series::make(request->series, preset->source, request->overrides, *summary);
+  const Result<Series> series = read_series(*request, *preset);
   if (!series) return console.fail(series.problems());
   const Result<SeriesOutputs> outputs = name_outputs(*request, *series, *preset);
   if (!outputs) return console.fail_usage(outputs.problems(), "burin draw");

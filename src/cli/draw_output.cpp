@@ -2,18 +2,20 @@
 
 #include <burin/path/decorators.hpp>
 #include <cli/draw_output.hpp>
+#include <cli/draw_run.hpp>
 #include <cli/progress.hpp>
 
 namespace burin::cli {
 
-Result<OutputCounts> draw_output(preset::Plan plan, const OutputJob& job, AtomicFile& file, bool live) {
-  plan.set_origin(job.origin);
-  const std::unique_ptr<OutputSink> sink = job.back_end->open(file, plan.sheet(), job.options);
+Result<OutputCounts> draw_output(const OutputJob& job, AtomicFile& file, bool live) {
+  Sheet sheet = job.drawing->sheet;
+  sheet.made_by = job.origin;
+  const std::unique_ptr<OutputSink> sink = job.back_end->open(file, sheet, job.options);
   Counted counted(*sink);
   {
     Progress progress(counted, live && !file.is_terminal(), job.path, job.forecast.points);
     // A sink that cannot write ends the run too; its reason is the file's, and finish() or commit() tells it.
-    static_cast<void>(plan.run(progress, job.run));
+    static_cast<void>(job.drawing->run(progress, job.run));
   }
   if (!job.run.stop.stop_requested() && !file.failed()) {
     if (const Result<Done> finished = sink->finish(); !finished && !file.failed()) return finished.problems();

@@ -10,8 +10,11 @@
 
 namespace burin::cli {
 
+struct Drawing;
+
 /// An output that is about to be drawn, or has been.
 struct OutputJob {
+  const Drawing* drawing = nullptr;
   std::string path;
   const BackEnd* back_end = nullptr;
   OutputOptions options;
@@ -27,8 +30,8 @@ struct OutputCounts {
   std::uint64_t bytes = 0;
 };
 
-/// Replays the plan, which shares its drawing with its copies, into the file and commits it. `live`: shows progress. A
-/// problem, or counts of what was drawn before `job.run.stop` ended it: then nothing is committed.
-Result<OutputCounts> draw_output(preset::Plan plan, const OutputJob& job, AtomicFile& file, bool live);
+/// Draws the job into the file and commits it. `live`: shows progress. A problem, or counts of what was drawn before
+/// `job.run.stop` ended it: then nothing is committed.
+Result<OutputCounts> draw_output(const OutputJob& job, AtomicFile& file, bool live);
 
 }  // namespace burin::cli

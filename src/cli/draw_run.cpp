@@ -36,16 +36,18 @@ Problems unknown_layers(const Sheet& sheet, const DrawRequest& request) {
 }
 
 /// Every output with all that is known before it is opened.
-Result<std::vector<OutputJob>> make_jobs(const ReadyPiece& piece, const DrawRequest& request,
+Result<std::vector<OutputJob>> make_jobs(const DrawingFor& drawing_for, const DrawRequest& request,
                                          const std::stop_token& stop) {
-  const preset::Plan& plan = piece.plan;
   std::vector<OutputJob> jobs;
   for (const RequestedOutput& output : request.outputs) {
+    const Drawing& drawing = drawing_for(*output.back_end);
+    const Sheet& sheet = drawing.sheet;
     OutputJob job;
+    job.drawing = &drawing;
     job.back_end = output.back_end;
-    job.path = output.path.empty() ? fmt::format("{}.{}", piece.preset.stem, output.back_end->format) : output.path;
-    job.options = output_options(request, plan.sheet().page);
-    if (Result<Done> accepted = job.back_end->accepts(plan.sheet(), job.options); !accepted) return accepted.problems();
+    job.path = output.path.empty() ? fmt::format("{}.{}", drawing.stem, output.back_end->format) : output.path;
+    job.options = output_options(request, sheet.page);
+    if (Result<Done> accepted = job.back_end->accepts(sheet, job.options); !accepted) return accepted.problems();
     const bool every_point = request.all_points || job.back_end->space == Space::model;
     job.run.space = job.back_end->space;
     job.run.tolerance_mm = every_point ? 0.0 : job.back_end->tolerance_mm(job.options);
@@ -53,13 +55,12 @@ Result<std::vector<OutputJob>> make_jobs(const ReadyPiece& piece, const DrawRequ
       return (request.only.empty() || contains(request.only, layer.name)) && !contains(request.skip, layer.name);
     };
     job.run.stop = stop;
-    const Result<Forecast> forecast = plan.check_size(job.run, request.max_points);
+    const Result<Forecast> forecast = drawing.check_size(job.run, request.max_points);
     if (!forecast) return forecast.problems();
-    const Result<Done> fits =
-        check_memory(*job.back_end, *forecast, plan.sheet(), job.options, request.max_memory_mb * 1e6);
+    const Result<Done> fits = check_memory(*job.back_end, *forecast, sheet, job.options, request.max_memory_mb * 1e6);
     if (!fits) return fits.problems();
     job.forecast = *forecast;
-    job.origin = make_origin(request, *job.back_end, piece.preset, piece.read);
+    job.origin = drawing.origin(*job.back_end);
     jobs.push_back(std::move(job));
   }
   return jobs;
@@ -98,12 +99,13 @@ Result<ReadyPiece> make_ready(PresetText preset, const preset::Overrides& overri
   return ReadyPiece{std::move(preset), std::move(read), *std::move(plan)};
 }
 
-DrawOutcome draw_piece(const ReadyPiece& piece, const DrawRequest& request, const Surroundings& around) {
-  if (Problems unknown = unknown_layers(piece.plan.sheet(), request); !unknown.empty()) {
-    return DrawOutcome::misused(std::move(unknown));
+DrawOutcome draw_outputs(const DrawingFor& drawing_for, const DrawRequest& request, const Surroundings& around) {
+  for (const RequestedOutput& output : request.outputs) {
+    Problems unknown = unknown_layers(drawing_for(*output.back_end).sheet, request);
+    if (!unknown.empty()) return DrawOutcome::misused(std::move(unknown));
   }
-  const Result<std::vector<OutputJob>> jobs = make_jobs(piece, request, around.stop);
-  if (!jobs) return DrawOutcome::failed(with_source(jobs.problems(), piece.preset));
+  const Result<std::vector<OutputJob>> jobs = make_jobs(drawing_for, request, around.stop);
+  if (!jobs) return DrawOutcome::failed(jobs.problems());
   const Result<std::vector<std::unique_ptr<AtomicFile>>> files = open_files(*jobs, around);
   if (around.stop.stop_requested()) return {ExitCode::interrupted};
   if (!files) return DrawOutcome::failed(files.problems());
@@ -117,14 +119,27 @@ DrawOutcome draw_piece(const ReadyPiece& piece, const DrawRequest& request, cons
                                              job.back_end->format, job.back_end->format);
       return DrawOutcome::misused({Problem{{request.command}, advice}});
     }
-    const double memory_bytes = job.back_end->memory_bytes(job.forecast.points, piece.plan.sheet(), job.options);
+    const double memory_bytes = job.back_end->memory_bytes(job.forecast.points, job.drawing->sheet, job.options);
     const MemoryBudget::Share share(around.memory, memory_bytes);
-    const Result<OutputCounts> counts = draw_output(piece.plan, job, file, around.live);
+    const Result<OutputCounts> counts = draw_output(job, file, around.live);
     if (around.stop.stop_requested()) return {ExitCode::interrupted};
     if (!counts && file.lost_reader()) return {ExitCode::output};
     if (!counts) return DrawOutcome::failed(counts.problems());
     outcome.report += output_report(job, *counts);
   }
+  return outcome;
+}
+
+DrawOutcome draw_piece(const ReadyPiece& piece, const DrawRequest& request, const Surroundings& around) {
+  const preset::Plan& plan = piece.plan;
+  const Drawing drawing{
+      .stem = piece.preset.stem,
+      .sheet = plan.sheet(),
+      .check_size = [&](const auto& options, double max_points) { return plan.check_size(options, max_points); },
+      .run = [&](PathSink& sink, const auto& options) { return plan.run(sink, options); },
+      .origin = [&](const BackEnd& back_end) { return make_origin(request, back_end, piece.preset, piece.read); }};
+  DrawOutcome outcome = draw_outputs([&](const BackEnd&) -> const Drawing& { return drawing; }, request, around);
+  outcome.problems = with_source(std::move(outcome.problems), piece.preset);
   return outcome;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <string>
 
@@ -44,8 +45,24 @@ struct DrawOutcome {
   static DrawOutcome misused(Problems problems) { return {ExitCode::usage, std::move(problems)}; }
 };
 
+/// Something that can be drawn again and again: a piece, or a sheet of many.
+struct Drawing {
+  std::string stem;  ///< its file is called so when no name is given
+  Sheet sheet;
+  /// What a run will emit; a problem when that is more than `max_points`.
+  std::function<Result<Forecast>(const preset::RunOptions& options, double max_points)> check_size;
+  std::function<Flow(PathSink& sink, const preset::RunOptions& options)> run;
+  std::function<Origin(const BackEnd& back_end)> origin;
+};
+
+/// What is drawn in a format. The drawing must live until all is written.
+using DrawingFor = std::function<const Drawing&(const BackEnd& back_end)>;
+
 /// Draws every output that the request asks for. All are checked and opened before the first is drawn; after a problem
 /// those that are finished stay, and of the others no trace is left.
+DrawOutcome draw_outputs(const DrawingFor& drawing_for, const DrawRequest& request, const Surroundings& around);
+
+/// The same of one piece.
 DrawOutcome draw_piece(const ReadyPiece& piece, const DrawRequest& request, const Surroundings& around);
 
 }  // namespace burin::cli

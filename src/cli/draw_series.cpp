@@ -1,6 +1,5 @@
 #include <atomic>
 #include <filesystem>
-#include <map>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <cli/draw_report.hpp>
 #include <cli/draw_series.hpp>
 #include <cli/file_io.hpp>
+#include <cli/series_problems.hpp>
 #include <cli/series_progress.hpp>
 
 namespace burin::cli {
@@ -31,36 +31,6 @@ Problems make_folders(const std::vector<RequestedOutput>& outputs) {
     if (error) return {write_problem(output.path, error.value())};
   }
   return {};
-}
-
-/// What went wrong, each problem once, with the results that it kept from being drawn.
-Problems grouped_problems(const std::vector<Drawn>& drawn, const Series& series) {
-  struct Group {
-    Problem problem;
-    std::size_t first = 0;
-    std::size_t others = 0;
-  };
-  std::vector<Group> groups;
-  std::map<std::string, std::size_t> group_of;
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    for (const Problem& problem : drawn[i].outcome.problems) {
-      const auto [known, is_new] = group_of.try_emplace(problem_text(problem), groups.size());
-      if (is_new) {
-        groups.push_back({problem, i, 0});
-      } else {
-        ++groups[known->second].others;
-      }
-    }
-  }
-  Problems problems;
-  for (Group& group : groups) {
-    if (series.count() > 1 && group.problem.trouble != Trouble::output) {
-      group.problem.message += fmt::format(" [{}{}]", series.label(group.first),
-                                           group.others == 0 ? "" : fmt::format(" and {} more", group.others));
-    }
-    problems.push_back(std::move(group.problem));
-  }
-  return problems;
 }
 
 }  // namespace
@@ -105,7 +75,9 @@ SeriesOutcome draw_series(const PresetText& preset, const DrawRequest& request, 
     outcome.finished += one.outcome.code == ExitCode::done ? 1 : 0;
     outcome.uses_seed = outcome.uses_seed || one.uses_seed;
   }
-  outcome.all.problems = grouped_problems(drawn, series);
+  std::vector<Problems> problems;
+  for (Drawn& one : drawn) problems.push_back(std::move(one.outcome.problems));
+  outcome.all.problems = grouped_problems(problems, series);
   return outcome;
 }
 

@@ -39,7 +39,7 @@ class RunningTool {
   RunningTool(const std::vector<std::string>& words, const ToolSetup& setup) {
     if (pipe2(out_.data(), O_CLOEXEC) != 0 || pipe2(err_.data(), O_CLOEXEC) != 0) throw std::runtime_error("pipe");
     const int input = memfd_create("stdin", MFD_CLOEXEC);
-    if (input < 0 || write(input, setup.input.data(), setup.input.size()) < 0 || lseek(input, 0, SEEK_SET) != 0) {
+    if (input < 0 || ::write(input, setup.input.data(), setup.input.size()) < 0 || lseek(input, 0, SEEK_SET) != 0) {
       throw std::runtime_error("stdin");
     }
     pid_ = fork();

@@ -51,6 +51,10 @@ class RecordReader {
   RecordReader(const Table& table, std::string where) : table_(table), where_(std::move(where)) {}
 
   Result<Recovered> read() {
+    if (table_.find("sheet") != nullptr) {
+      report("is a contact sheet, and redraw draws single pieces; make it again with burin sheet");
+      return std::move(problems_);
+    }
     Recovered recovered;
     recovered.version = text("burin");
     recovered.preset.file = text("preset");
