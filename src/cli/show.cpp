@@ -75,6 +75,10 @@ std::string motif_text(const two_point::NamedMotif& row) {
   for (const two_point::Mark& mark : motif.by_level.front().by_edge.front()) {
     text += fmt::format("  {:>9}  {:>9}\n", fixed_text(mark.alpha.low, 6), fixed_text(mark.beta.low, 6));
   }
+  if (row.join) {
+    text += fmt::format("drawn through the point ({}, {}) of every edge\n", shortest_text(row.join->x),
+                        shortest_text(row.join->y));
+  }
   if (row.sign) return text + fmt::format("sign: {}\n", params::ValueType<two_point::SignRule>::text(*motif.sign));
   return text + fmt::format("mirrored edges: {}\nedges built from their far end: {}\n", flagged_text(motif.flip),
                             flagged_text(motif.reverse));

@@ -28,7 +28,10 @@ std::vector<std::string> cases_of(std::string_view family) {
       R"({"levels": 4, "motif": {"marks": [[0.5, 1]], "beta": "absolute"}, "base": {"points": [[1, 1], [1, 1], [2, 1]]}})",
       R"({"levels": 3, "motif": {"marks": [[0, 0], [1, 0]]}})",
       R"({"levels": 5, "motif": {"marks": [[{"random": [-2, 3]}, {"random": [-5, 5]}]]}})",
-      R"({"levels": 6, "sign": "random", "base": {"shape": "star", "n": 2}})"};
+      R"({"levels": 6, "sign": "random", "base": {"shape": "star", "n": 2}})",
+      R"({"levels": 4, "motif": "hilbert"})",
+      R"({"levels": 0, "motif": "peano"})",
+      R"({"levels": 3, "base": "square", "motif": {"name": "koch", "join": [0.5, 3], "sign": "edge"}})"};
 }
 
 /// Stops the drawing after so many calls.

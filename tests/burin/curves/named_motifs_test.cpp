@@ -140,7 +140,7 @@ TEST(NamedMotifs, AClosedPolygonGrowsByTheAreaLaw) {
   const double area0 = polygon_area(curve("koch", 0, base));
   const double squares = 9 + 5 + 10 + 10;
   for (const NamedMotif& row : named_motifs()) {
-    if (!row.flip.empty() || !row.reverse.empty() || row.sign) continue;
+    if (!row.flip.empty() || !row.reverse.empty() || row.sign || row.join) continue;
     const double a = polygon_area(curve(row.name, 1));
     double q = 0.0;
     for (const double r : edge_ratios(motif_from(row).by_level.front().by_edge.front())) q += r * r;

@@ -22,8 +22,8 @@ TEST(TwoPointMotif, EveryWayToWriteOneIsRead) {
   for (const char* motif :
        {R"("koch")", R"({"marks": [[0.5, 0.5]]})", R"({"points": [[0, 0], [1, 2], [3, 0]]})",
         R"({"turtle": "F+F--F+F", "angle": 60})", R"({"name": "cesaro", "angle": 60})",
-        R"({"name": "gosper", "reverse": "A"})", R"({"name": "koch", "sign": "edge", "decay": 0.9})",
-        R"({"by_edge": [[[0.5, 0.1]], [[0.5, 0.2]]]})",
+        R"({"name": "gosper", "reverse": "A", "join": [0.5, "sqrt(3)/6"]})",
+        R"({"name": "koch", "sign": "edge", "decay": 0.9})", R"({"by_edge": [[[0.5, 0.1]], [[0.5, 0.2]]]})",
         R"({"by_level": ["koch", {"marks": [[0.5, "sqrt(3)/6"]]}], "sign": "level"})",
         R"({"marks": [[0.5, 0.5]], "flip": [0, 1], "reverse": [1, 0]})",
         R"({"marks": [["1/3", {"random": [0, "1/2"]}]], "beta": "absolute", "decay": 0.5})"}) {
@@ -63,6 +63,11 @@ TEST(TwoPointMotif, MistakesAreNamed) {
       {R"({"name": "koch", "angle": 400})", "outside [-360, 360]"},
       {R"({"name": "koch", "flip": [1, 0]})", "one flag for each of the 4 sub-edges, found 2"},
       {R"({"name": "dragon", "decay": 0.5})", "use 'sign' with"},
+      {R"({"name": "koch", "join": [0.5, 0], "decay": 0.5})", "'join' needs plain marks"},
+      {R"({"name": "koch", "join": [0.5, 0], "sign": "random"})", "'join' needs plain marks"},
+      {R"({"marks": [[0.5, "rand"]], "join": [0.5, 0]})", "'join' needs plain marks"},
+      {R"({"by_level": ["hilbert"]})", "join beside 'by_level'"},
+      {R"({"name": "koch", "join": 0.5})", "point"},
       {R"({"marks": [[0.5, 0.5]], "angle": 60})", "'angle' belongs to a 'turtle' word or a 'name'"},
       {R"({"by_edge": [[[0.5, 0]], [[0.3, 0], [0.6, 0]]]})", "equally long"},
       {R"({"by_level": ["dragon"]})", "use a sign rule"},

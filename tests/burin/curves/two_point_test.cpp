@@ -325,6 +325,33 @@ TEST(TwoPoint, FlagsAndRulesAgreeOnOneEdge) {
   EXPECT_GT(farthest, 1.0 / 16);
 }
 
+TEST(TwoPoint, JoinPointsStandForTheVertices) {
+  const auto joined = [](const std::string& motif, int levels, const std::string& base) {
+    return draw_points(two_point(R"({"motif": )" + motif + R"(, "levels": )" + std::to_string(levels) +
+                                 R"(, "base": ")" + base + R"("})"));
+  };
+  // Of the edge itself, to the right of travel.
+  EXPECT_EQ(joined(R"({"name": "koch", "join": [0.25, 0.5]})", 0, "segment"), (std::vector<Vec2>{{0.25, -0.5}}));
+  // Mirrored edges have it on their left, reversed ones count from their far end.
+  EXPECT_EQ(joined(R"("hilbert")", 1, "segment"),
+            (std::vector<Vec2>{{0.25, 0.25}, {0.25, 0.75}, {0.75, 0.75}, {0.75, 0.25}}));
+  const std::vector<Vec2> levy = joined(R"({"name": "levy", "reverse": [0, 1], "join": [0.25, 0]})", 1, "segment");
+  ASSERT_EQ(levy.size(), 2U);
+  EXPECT_LT(distance(levy[0], {0.125, -0.125}), 1e-15);
+  EXPECT_LT(distance(levy[1], {0.875, -0.125}), 1e-15);
+  // As many as edges, on closed bases too; each on the edge whose middle it is.
+  const std::vector<Vec2> edges = joined(R"("terdragon")", 4, "square");
+  const std::vector<Vec2> middles = joined(R"({"name": "terdragon", "join": [0.5, 0]})", 4, "square");
+  ASSERT_EQ(middles.size(), edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    EXPECT_LT(distance(middles[i], 0.5 * (edges[i] + edges[(i + 1) % edges.size()])), 1e-14);
+  }
+  // No view leaves any out.
+  const TwoPointParams params = two_point(R"({"motif": "hilbert", "levels": 5})");
+  const DrawContext far{.view = {Box2{{7, 7}, {8, 8}}, 0.5}};
+  EXPECT_EQ(record("two-point", params, far).all_points(), draw_points(params));
+}
+
 TEST(TwoPoint, RandomDrawsHangOnTheirNodeAlone) {
   const std::string random = R"({"motif": {"marks": [[{"random": [0.3, 0.7]}, {"random": [-0.4, 0.4]}]]}, "levels": )";
   const std::vector<Vec2> coarse = draw_points(two_point(random + "6}"), 3);

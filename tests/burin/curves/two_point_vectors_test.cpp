@@ -78,7 +78,7 @@ bool similar(const std::vector<Vec2>& points, const std::vector<Vec2>& expected,
 
 TEST(TwoPointVectors, NamedMotifsAreTheCurvesOfMathPlanePath) {
   const json curves = testing::reference("planepath.json")["curves"];
-  ASSERT_EQ(curves.size(), 15U);
+  ASSERT_EQ(curves.size(), 28U);
   for (const auto& [name, curve] : curves.items()) {
     const json& flat = curve["points"];
     const double row_height = curve["triangular"].get<bool>() ? std::sqrt(3.0) : 1.0;
@@ -86,14 +86,13 @@ TEST(TwoPointVectors, NamedMotifsAreTheCurvesOfMathPlanePath) {
     for (std::size_t i = 0; i < flat.size(); i += 2) {
       expected.push_back({flat[i].get<double>(), row_height * flat[i + 1].get<double>()});
     }
-    std::size_t edges = 1;
-    for (int level = 1; level <= curve["levels"].get<int>(); ++level) {
-      edges *= curve["edges"].get<std::size_t>();
-      const std::vector<Vec2> begin(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(edges) + 1);
+    for (const json& levels : curve["levels"]) {
       const std::vector<Vec2> points =
-          draw_points(two_point(json({{"motif", curve["motif"]}, {"levels", level}}).dump()));
-      ASSERT_EQ(points.size(), begin.size()) << name;
-      EXPECT_TRUE(similar(points, begin, false) || similar(points, begin, true)) << name << " level " << level;
+          draw_points(two_point(json({{"motif", curve["motif"]}, {"levels", levels}}).dump()));
+      ASSERT_GE(points.size(), 2U) << name;
+      ASSERT_LE(points.size(), expected.size()) << name;
+      const std::vector<Vec2> begin(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(points.size()));
+      EXPECT_TRUE(similar(points, begin, false) || similar(points, begin, true)) << name << " level " << levels;
     }
   }
 }

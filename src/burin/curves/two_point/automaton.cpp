@@ -17,6 +17,11 @@ std::vector<Vec2> path_vertices(const std::vector<Mark>& marks, double sign) {
   return vertices;
 }
 
+/// The join point of an edge whose betas have this sign.
+Vec2 join_point(const Motif& motif, double sign) {
+  return motif.join ? Vec2{motif.join->x, -(sign * motif.join->y)} : Vec2{};
+}
+
 /// State 2r + f: f mirrored, r built from the far end.
 Automaton flags_automaton(const Motif& motif) {
   const std::vector<Mark>& marks = motif.by_level.front().by_edge.front();
@@ -28,13 +33,15 @@ Automaton flags_automaton(const Motif& motif) {
   for (unsigned state = 0; state < 4; ++state) {
     const unsigned f = state & 1U;
     const unsigned r = state >> 1U;
-    Automaton::State made{path_vertices(marks, f != 0 ? -1.0 : 1.0), {}};
+    const double sign = f != 0 ? -1.0 : 1.0;
+    Automaton::State made{path_vertices(marks, sign), {}, join_point(motif, sign)};
     for (std::size_t j = 0; j < k; ++j) {
       made.children.push_back(((r ^ flag(motif.reverse, j)) << 1U) | (f ^ flag(motif.flip, j)));
     }
     if (r != 0) {
       std::reverse(made.vertices.begin(), made.vertices.end());
       for (Vec2& v : made.vertices) v = {1.0 - v.x, -v.y};
+      made.join = {1.0 - made.join.x, -made.join.y};
       std::reverse(made.children.begin(), made.children.end());
     }
     automaton.states.push_back(std::move(made));
@@ -57,7 +64,7 @@ std::optional<Automaton> rule_automaton(const Motif& motif, const SignRule& sign
     const Stage& stage = motif.by_level[level % motif.by_level.size()];
     for (std::size_t edge = 0; edge < edges; ++edge) {
       const double s = sign(0, static_cast<int>(level) + 1, edge);
-      Automaton::State made{path_vertices(stage.by_edge[edge % stage.by_edge.size()], s), {}};
+      Automaton::State made{path_vertices(stage.by_edge[edge % stage.by_edge.size()], s), {}, join_point(motif, s)};
       for (std::size_t j = 0; j < stage.child_count(); ++j) {
         const std::size_t child_edge = (edge * stage.child_count() + j) % edges;
         made.children.push_back(static_cast<std::uint32_t>((level + 1) % levels * edges + child_edge));

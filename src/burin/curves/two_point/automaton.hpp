@@ -16,6 +16,7 @@ struct Automaton {
   struct State {
     std::vector<Vec2> vertices;           ///< v_0 = 0, v_1 ... v_k = 1: the edge's path, as factors of the edge vector
     std::vector<std::uint32_t> children;  ///< the states of its k sub-edges
+    Vec2 join{};                          ///< the motif's join point, as a factor of the edge vector
   };
   std::vector<State> states;
   std::size_t first_edge_period = 1;  ///< base edge e (from 0) starts in state e mod this

@@ -68,6 +68,7 @@ struct MotifSpec {
   Flags reverse;
   BetaUnit beta = BetaUnit::relative;
   double decay = 1.0;
+  std::optional<Vec2> join;
 
   static constexpr auto fields() {
     using params::field;
@@ -84,7 +85,9 @@ struct MotifSpec {
         field("flip", &MotifSpec::flip, "sub-edges to mirror: [0, 1, ...] or letters of `turtle`"),
         field("reverse", &MotifSpec::reverse, "sub-edges to build from their far end: [0, 1, ...] or letters"),
         field("beta", &MotifSpec::beta, "relative: in edge lengths; absolute: in model units"),
-        field("decay", &MotifSpec::decay, {0.0, 10.0, true, false}, "factor on beta from each level to the next")};
+        field("decay", &MotifSpec::decay, {0.0, 10.0, true, false}, "factor on beta from each level to the next"),
+        field("join", &MotifSpec::join,
+              "[alpha, beta]: draws a line through this point of every edge instead of the vertices")};
   }
 };
 
@@ -237,9 +240,10 @@ bool read_marks(const MotifSpec& spec, const Where& where, Motif& motif, std::st
   if (!spec.name.empty()) return read_named(spec, where, motif, letters, context);
   if (!spec.by_level.empty()) {
     for (const Motif& level : spec.by_level) {
-      if (level.by_level.size() != 1 || level.has_flags() || level.sign || level.absolute || level.decay != 1.0) {
+      if (level.by_level.size() != 1 || level.has_flags() || level.sign || level.absolute || level.decay != 1.0 ||
+          level.join) {
         context.report(where,
-                       "the motifs of 'by_level' are marks alone; put sign, beta and decay beside 'by_level' "
+                       "the motifs of 'by_level' are marks alone; put sign, beta, decay and join beside 'by_level' "
                        "(flags cannot change by level: use a sign rule)");
         return false;
       }
@@ -307,6 +311,7 @@ bool read_table(const params::Table& table, const Where& where, Motif& motif, pa
   if (spec.sign) read.sign = spec.sign;
   read.absolute = spec.beta == BetaUnit::absolute;
   read.decay = spec.decay;
+  if (spec.join) read.join = spec.join;
   if (read.has_flags() && (read.sign || read.absolute || read.decay != 1.0 || !read.is_constant() ||
                            read.by_level.front().by_edge.size() > 1)) {
     context.report(where,

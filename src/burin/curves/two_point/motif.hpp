@@ -51,8 +51,9 @@ struct Motif {
   std::vector<std::uint8_t> flip{};     ///< empty, or one for each sub-edge: 1 mirrors
   std::vector<std::uint8_t> reverse{};  ///< empty, or one for each sub-edge: 1 builds from the far end
   std::optional<SignRule> sign{};
-  bool absolute = false;  ///< beta in model units instead of edge lengths
-  double decay = 1.0;     ///< factor on beta from each level to the next
+  bool absolute = false;       ///< beta in model units instead of edge lengths
+  double decay = 1.0;          ///< factor on beta from each level to the next
+  std::optional<Vec2> join{};  ///< drawn: this point (alpha, beta) of every edge, in place of the vertices
   std::string text = "table";
 
   bool has_flags() const { return !flip.empty() || !reverse.empty(); }
@@ -72,7 +73,7 @@ std::vector<params::FieldInfo> motif_fields();
 ///   name = "cesaro" with angle, where the motif is a turtle word,
 ///   marks = [[alpha, beta], ...], points = [[x, y], ...] (vertices, y up, first to last), turtle = "F+F--F+F" with
 ///   angle, by_level = [motif, ...], by_edge = [marks, ...]
-/// and sign, flip, reverse, beta = "absolute", decay.
+/// and sign, flip, reverse, beta = "absolute", decay, join.
 template <>
 struct burin::params::ValueType<burin::curves::two_point::Motif> {
   static std::string name() { return "motif"; }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <burin/base/check.hpp>
+#include <burin/curves/two_point/automaton.hpp>
 #include <burin/curves/two_point/keyed_rule.hpp>
 #include <burin/curves/two_point/motif_figure.hpp>
 
@@ -13,9 +14,10 @@ namespace {
 /// Layers of a motif_sheet, and its pens.
 constexpr LayerId unit_layer = 0;
 constexpr LayerId unit_arrow_layer = 1;
-constexpr LayerId motif_layer = 2;
-constexpr LayerId vertex_layer = 3;
-constexpr LayerId arrow_layer = 4;
+constexpr LayerId join_layer = 2;
+constexpr LayerId motif_layer = 3;
+constexpr LayerId vertex_layer = 4;
+constexpr LayerId arrow_layer = 5;
 
 constexpr std::array<Vec2, 2> unit_edge{{{0.0, 0.0}, {1.0, 0.0}}};
 
@@ -29,6 +31,7 @@ Box2 box_of(const MotifFigure& figure) {
   Box2 box;
   for (const Vec2 p : unit_edge) box.add(p);
   for (const Vec2 p : figure.path) box.add(p);
+  for (const Vec2 p : figure.joined) box.add(p);
   return box;
 }
 
@@ -120,6 +123,20 @@ Flow draw_vertices(const PlacedFigure& placed, PathSink& sink) {
   return Flow::go;
 }
 
+/// The join points of the sub-edges of the first edge; empty when the motif has none.
+std::vector<Vec2> joined_points(const Motif& motif, const std::optional<SignRule>& sign,
+                                const std::vector<Vec2>& path) {
+  if (!motif.join) return {};
+  const std::optional<Automaton> automaton = make_automaton(motif, sign);
+  if (!automaton) return {};
+  const std::vector<std::uint32_t>& children = automaton->states[automaton->start(0)].children;
+  std::vector<Vec2> points;
+  for (std::size_t j = 0; j < children.size(); ++j) {
+    points.push_back(path[j] + complex_product(automaton->states[children[j]].join, path[j + 1] - path[j]));
+  }
+  return points;
+}
+
 }  // namespace
 
 std::optional<std::vector<MotifFigure>> motif_figures(const Motif& motif, const std::optional<SignRule>& sign,
@@ -135,6 +152,7 @@ std::optional<std::vector<MotifFigure>> motif_figures(const Motif& motif, const 
         figure.flip = motif.flip;
         figure.reverse = motif.reverse;
       }
+      if (stage == 0 && edge == 0) figure.joined = joined_points(motif, sign, figure.path);
       const Box2 box = box_of(figure);
       if (!std::isfinite(box.width()) || !std::isfinite(box.height())) return std::nullopt;
       figures.push_back(std::move(figure));
@@ -151,6 +169,7 @@ Sheet motif_sheet(const Page& page) {
   Sheet sheet{page, {faint, ink, dot, accent}, {}, {}};
   sheet.layers = {{.name = "unit edge", .pen = 0, .cap = Cap::butt, .dashes_mm = {2.4, 1.8}},
                   {.name = "unit direction", .pen = 0, .join = Join::miter},
+                  {.name = "joined", .pen = 3},
                   {.name = "motif", .pen = 1},
                   {.name = "vertices", .pen = 2},
                   {.name = "directions", .pen = 3, .paint = Paint::fill_nonzero}};
@@ -168,6 +187,9 @@ Flow draw_motif_figures(std::span<const MotifFigure> figures, const Box2& area_m
   };
   const bool complete = draw_layer([&](const PlacedFigure& p) { return line(p, unit_edge, unit_layer); }) &&
                         draw_layer([&](const PlacedFigure& p) { return draw_unit_arrow(p, sink); }) &&
+                        draw_layer([&](const PlacedFigure& p) {
+                          return p.figure->joined.empty() ? Flow::go : line(p, p.figure->joined, join_layer);
+                        }) &&
                         draw_layer([&](const PlacedFigure& p) { return line(p, p.figure->path, motif_layer); }) &&
                         draw_layer([&](const PlacedFigure& p) { return draw_vertices(p, sink); }) &&
                         draw_layer([&](const PlacedFigure& p) { return draw_arrows(p, sink); });

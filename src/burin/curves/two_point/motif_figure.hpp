@@ -16,6 +16,7 @@ struct MotifFigure {
   std::vector<Vec2> path;
   std::vector<std::uint8_t> flip{};     ///< empty, or one for each sub-edge
   std::vector<std::uint8_t> reverse{};  ///< empty, or one for each sub-edge
+  std::vector<Vec2> joined{};           ///< empty, or the sub-edges' join points
 
   friend bool operator==(const MotifFigure&, const MotifFigure&) = default;
 };
@@ -31,8 +32,8 @@ Sheet motif_sheet(const Page& page);
 /// Draws the figures in a grid inside `area_mm`, all to one scale. The unit edge is dashed; the motif's edges are full
 /// lines with a dot at every vertex. A half arrow on an edge points the way in which the edge is built, its barb on
 /// its right, or on its left where the edge is mirrored: each stands for a copy of the whole figure, laid with the half
-/// arrow of the dashed edge on it. Pre: there is a figure; the sheet is a motif_sheet; the area has a width and a
-/// height.
+/// arrow of the dashed edge on it. A thin line goes through the join points. Pre: there is a figure; the sheet is a
+/// motif_sheet; the area has a width and a height.
 Flow draw_motif_figures(std::span<const MotifFigure> figures, const Box2& area_mm, PathSink& sink);
 
 }  // namespace burin::curves::two_point

@@ -24,7 +24,7 @@ constexpr std::array<Vec2, 9> printed_minkowski_points{
     {{0, 0}, {0.25, 0}, {0.25, -0.25}, {0.5, -0.25}, {0.5, 0}, {0.5, -0.25}, {0.75, -0.25}, {0.75, 0}, {1, 0}}};
 constexpr std::array<Vec2, 3> printed_dragon_points{{{0, 0}, {third, -0.5}, {1, 0}}};
 
-constexpr std::array<NamedMotif, 27> rows{{
+constexpr std::array<NamedMotif, 32> rows{{
     {.name = "koch",
      .summary = "Koch's curve: an equilateral bump on the middle third",
      .source = "von Koch 1904; Ding & Qi, Fig. 3",
@@ -134,18 +134,45 @@ constexpr std::array<NamedMotif, 27> rows{{
      .source = "McWorter & Tazelaar, Creating Fractals, BYTE, August 1987",
      .turtle = "+F++F----F--F++F++F-",
      .angle_degrees = 36},
+    {.name = "peano",
+     .summary = "Peano's curve as it is mostly drawn: through the middles of peano9's edges",
+     .source = "Peano 1890",
+     .turtle = "A+B-A-B-A+B+A+B-A",
+     .flip = "B",
+     .join = Vec2{0.5, 0.0}},
     {.name = "peano9",
-     .alias = "peano",
      .summary = "Peano's curve along the diagonal of its square",
      .source = "Peano 1890",
      .turtle = "A+B-A-B-A+B+A+B-A",
      .flip = "B"},
+    {.name = "hilbert",
+     .summary = "Hilbert's curve as it is mostly drawn: through the middles of its squares",
+     .source = "Hilbert 1891",
+     .turtle = "+A-BB-A",
+     .flip = "A",
+     .join = Vec2{0.5, -0.5}},
     {.name = "hilbert4",
-     .alias = "hilbert",
      .summary = "Hilbert's curve, each edge the side of its square",
      .source = "Hilbert 1891",
      .turtle = "+A-BB-A",
      .flip = "A"},
+    {.name = "sierpinski-curve",
+     .summary = "Sierpinski's curve: through a point of every triangle of Polya's sweep",
+     .source = "Sierpinski 1912",
+     .turtle = "A+A",
+     .flip = "A",
+     .join = Vec2{0.5, 1.0 / 6.0}},
+    {.name = "serpentine",
+     .summary = "Wunderlich's serpentine: Peano's curve with every other square transposed",
+     .source = "Wunderlich 1973",
+     .turtle = "F+F-F-F-F+F+F+F-F",
+     .join = Vec2{0.5, 0.0}},
+    {.name = "meander",
+     .summary = "Wunderlich's meander: nine squares, each run along a side",
+     .source = "Wunderlich 1973",
+     .turtle = "-AA+BBB++B-AA-B",
+     .flip = "A",
+     .join = Vec2{0.5, 0.5}},
     {.name = "fret",
      .alias = "greek-key",
      .summary = "a Greek key, an ornament of one level",
@@ -210,6 +237,7 @@ Motif motif_from(const NamedMotif& row, double angle_degrees) {
   motif.by_level = {Stage{{*std::move(marks)}}};
   if (!row.flip.empty()) motif.flip = flags_of(path.letters, row.flip);
   if (!row.reverse.empty()) motif.reverse = flags_of(path.letters, row.reverse);
+  motif.join = row.join;
   if (row.sign) motif.sign = SignRule{*row.sign};
   motif.text = '"' + std::string(row.name) + '"';
   return motif;
@@ -223,6 +251,7 @@ std::string table_text(const NamedMotif& row) {
   }
   if (!row.flip.empty()) text += fmt::format(", flip = \"{}\"", row.flip);
   if (!row.reverse.empty()) text += fmt::format(", reverse = \"{}\"", row.reverse);
+  if (row.join) text += fmt::format(", join = [{}, {}]", shortest_text(row.join->x), shortest_text(row.join->y));
   if (row.sign) text += ", sign = " + params::ValueType<SignRule>::text(SignRule{*row.sign});
   return "{ " + text + " }";
 }

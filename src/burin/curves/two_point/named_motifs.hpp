@@ -22,6 +22,7 @@ struct NamedMotif {
   std::span<const Vec2> points{};        ///< vertices, y up; empty where `turtle` is not
   std::string_view flip{};               ///< letters of the sub-edges that are mirrored
   std::string_view reverse{};            ///< letters of the sub-edges that are built from their far end
+  std::optional<Vec2> join{};            ///< (alpha, beta) of the point of every edge that is drawn
   std::optional<SignRule::Kind> sign{};  ///< instead of flags
   std::string_view dimension_note{};     ///< why the similarity dimension is not the curve's; empty: it is
 };

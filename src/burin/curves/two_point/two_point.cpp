@@ -8,6 +8,7 @@
 #include <burin/curves/two_point/emitters.hpp>
 #include <burin/curves/two_point/keyed_rule.hpp>
 #include <burin/curves/two_point/trace_blocks.hpp>
+#include <burin/curves/two_point/trace_joins.hpp>
 #include <burin/curves/two_point/trace_rule.hpp>
 #include <burin/curves/two_point/two_point.hpp>
 #include <burin/path/decorators.hpp>
@@ -68,7 +69,7 @@ double points_asked(const Params& params) {
   double points = 0.0;
   for (const Polyline& polyline : params.base.polylines) {
     points += static_cast<double>(polyline.edge_count()) * points_per_edge(params.motif, params.levels) +
-              (polyline.closed ? 0.0 : 1.0);
+              (polyline.closed || params.motif.join ? 0.0 : 1.0);
   }
   return points;
 }
@@ -80,16 +81,23 @@ struct TwoPointFamily {
   using Params = TwoPointParams;
 
   static bool check(const Params& params, const params::Table& table, params::ReadContext& context) {
-    if (!params.sign || !params.motif.sign) return true;
-    context.report(table.find("sign")->where, "'sign' is given twice: in the curve and in its motif");
+    if (params.sign && params.motif.sign) {
+      context.report(table.find("sign")->where, "'sign' is given twice: in the curve and in its motif");
+      return false;
+    }
+    if (!params.motif.join || make_automaton(params.motif, params.sign)) return true;
+    context.report(table.find("motif")->where,
+                   "'join' needs plain marks and a sign that repeats; leave out random, absolute and decaying ones");
     return false;
   }
 
   static std::optional<Box2> bounds(const Params& params, const DrawContext& context, const Affine2& frame) {
-    const Engine engine = engine_for(params, context.seed);
-    const std::optional<Box2> box = std::visit(
-        [&](const auto& rule) { return two_point::bounds(params.base, rule, params.levels, frame); }, engine);
-    if (box) return box;
+    if (!params.motif.join) {
+      const Engine engine = engine_for(params, context.seed);
+      const std::optional<Box2> box = std::visit(
+          [&](const auto& rule) { return two_point::bounds(params.base, rule, params.levels, frame); }, engine);
+      if (box) return box;
+    }
     if (points_asked(params) > most_points_replayed) return std::nullopt;
     BoundsSink sink;
     Mapped mapped(sink, frame);
@@ -101,6 +109,7 @@ struct TwoPointFamily {
 
   static Forecast forecast(const Params& params, const DrawContext& context, double enough) {
     const double asked = points_asked(params);
+    if (params.motif.join) return {asked, asked, true};
     const Engine engine = engine_for(params, context.seed);
     const View view = usable_view(context.view, engine);
     if (!view.is_limited()) return {asked, asked, true};
@@ -117,7 +126,28 @@ struct TwoPointFamily {
     return {counter.count(), asked, true};
   }
 
+  /// Every join point of the last level: no view cuts it, for a coarser edge's point lies on no finer curve.
+  static Flow draw_joins(const Params& params, PathSink& sink) {
+    const std::optional<Automaton> automaton = make_automaton(params.motif, params.sign);
+    BURIN_EXPECT(automaton.has_value());
+    std::uint64_t first_edge = 0;
+    for (const Polyline& polyline : params.base.polylines) {
+      const auto level = static_cast<std::uint16_t>(params.levels);
+      if (sink.begin({.closed = polyline.closed, .level = level}) == Flow::stop) return Flow::stop;
+      PointEmitter emitter(sink);
+      JoinTracer tracer(*automaton, params.levels, emitter);
+      for (std::size_t e = 0; e < polyline.edge_count(); ++e) {
+        const std::uint32_t start = automaton->start(first_edge + e);
+        if (tracer.trace(polyline.edge_begin(e), polyline.edge_end(e), start) == Flow::stop) return Flow::stop;
+      }
+      if (emitter.finish(false) == Flow::stop || sink.end() == Flow::stop) return Flow::stop;
+      first_edge += polyline.edge_count();
+    }
+    return Flow::go;
+  }
+
   static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
+    if (params.motif.join) return draw_joins(params, sink);
     const Engine engine = engine_for(params, context.seed);
     const View view = usable_view(context.view, engine);
     std::uint64_t first_edge = 0;

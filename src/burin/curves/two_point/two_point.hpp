@@ -42,7 +42,8 @@ struct TwoPointAddress {
   std::span<const std::uint32_t> digits;  ///< as many as there are levels; digit < number of sub-edges
 };
 
-/// The vertex at an address, with the bits that draw emits; O(levels). Pre: the address lies within the curve.
+/// The vertex at an address (whatever point of the edges the motif joins), with the bits that draw emits; O(levels).
+/// Pre: the address lies within the curve.
 Vec2 vertex_at(const TwoPointParams& params, std::uint64_t seed, const TwoPointAddress& address);
 
 /// Vertex n of S_m in travel order, 0 <= n <= edges of S_m (the last is the end point of an open base); nothing
