@@ -104,8 +104,8 @@ Problem no_box(const Layer& layer, std::uint64_t seed) {
   const double asked = layer.family->forecast(layer.parameters, {.seed = seed}, 0.0).asked_points;
   if (asked > most_points_unbounded) {
     return {{},
-            fmt::format("its curve cannot be fitted to the page: it has {} points and nothing bounds what its marks "
-                        "generate; lower '{}'",
+            fmt::format("its curve cannot be fitted to the page: it has {} points, and all of them would have to be "
+                        "drawn to know its size; lower '{}'",
                         count_text(asked), layer.family->cost_knob),
             Trouble::limit,
             {}};

@@ -78,7 +78,7 @@ bool similar(const std::vector<Vec2>& points, const std::vector<Vec2>& expected,
 
 TEST(TwoPointVectors, NamedMotifsAreTheCurvesOfMathPlanePath) {
   const json curves = testing::reference("planepath.json")["curves"];
-  ASSERT_EQ(curves.size(), 28U);
+  ASSERT_EQ(curves.size(), 29U);
   for (const auto& [name, curve] : curves.items()) {
     const json& flat = curve["points"];
     const double row_height = curve["triangular"].get<bool>() ? std::sqrt(3.0) : 1.0;
@@ -112,6 +112,7 @@ TEST(TwoPointVectors, EveryGeneratorCanBeWrittenAsMarksWithFlags) {
 TEST(TwoPointVectors, TurtleWordsAreTheReferencesGenerators) {
   const json generators = testing::reference("curves.json")["A_generators"];
   expect_generator(generators["quad18"], {{"motif", {{"turtle", "F+FF-FF-F-F+F+FF-F-F+F+FF+FF-F"}}}});
+  expect_generator(generators["quad5"], {{"motif", {{"turtle", "F-F+F|-F-F"}}}});
   expect_generator(generators["gosper"], {{"motif", {{"turtle", "A-B--B+A++AA+B-"}, {"angle", 60}, {"reverse", "B"}}}});
   expect_generator(generators["pentadendrite"], {{"motif", {{"turtle", "F+F-F--F+F+F"}, {"angle", 72}}}});
 }

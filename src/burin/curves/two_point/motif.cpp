@@ -76,7 +76,7 @@ struct MotifSpec {
         field("name", &MotifSpec::name, "a named motif, to be changed by the keys beside it"),
         field("marks", &MotifSpec::marks, "[[alpha, beta], ...]: along the edge, to the right of it"),
         field("points", &MotifSpec::points, "[[x, y], ...]: its vertices from first to last, y up"),
-        field("turtle", &MotifSpec::turtle, "letters draw, + turns left, - turns right by `angle`"),
+        field("turtle", &MotifSpec::turtle, "letters draw, + turns left, - right by `angle`, | turns back"),
         field("angle", &MotifSpec::angle, {-360.0, 360.0},
               "turn of + and - in degrees; unset: 90, or the named motif's own"),
         field("by_edge", &MotifSpec::by_edge, "lists of marks for the edges in turn"),
@@ -192,7 +192,7 @@ std::optional<TurtlePath> read_turtle(const std::string& word, double angle_degr
   }
   const auto strange = std::find_if_not(word.begin(), word.end(), &is_turtle_step);
   if (strange != word.end()) {
-    context.report(where, fmt::format("a turtle word is made of letters, + and -; found '{}'", *strange));
+    context.report(where, fmt::format("a turtle word is made of letters, +, - and |; found '{}'", *strange));
     return std::nullopt;
   }
   return walk_turtle(word, angle_degrees);

@@ -24,7 +24,7 @@ constexpr std::array<Vec2, 9> printed_minkowski_points{
     {{0, 0}, {0.25, 0}, {0.25, -0.25}, {0.5, -0.25}, {0.5, 0}, {0.5, -0.25}, {0.75, -0.25}, {0.75, 0}, {1, 0}}};
 constexpr std::array<Vec2, 3> printed_dragon_points{{{0, 0}, {third, -0.5}, {1, 0}}};
 
-constexpr std::array<NamedMotif, 32> rows{{
+constexpr std::array<NamedMotif, 33> rows{{
     {.name = "koch",
      .summary = "Koch's curve: an equilateral bump on the middle third",
      .source = "von Koch 1904; Ding & Qi, Fig. 3",
@@ -173,6 +173,12 @@ constexpr std::array<NamedMotif, 32> rows{{
      .turtle = "-AA+BBB++B-AA-B",
      .flip = "A",
      .join = Vec2{0.5, 0.5}},
+    {.name = "cinco",
+     .summary = "the Cinco curve: 25 squares, each run along a side",
+     .source = "Dennis, Inverse Space-Filling Curve Partitioning of a Global Ocean Model, 2007",
+     .turtle = "AA+BBB++B-AA-BB-AA-B++B-AAA++A+BB+A++A+BB+A",
+     .flip = "B",
+     .join = Vec2{0.5, -0.5}},
     {.name = "fret",
      .alias = "greek-key",
      .summary = "a Greek key, an ornament of one level",

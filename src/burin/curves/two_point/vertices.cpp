@@ -19,20 +19,23 @@ Amount constant(double value) {
 }  // namespace
 
 bool is_turtle_step(char c) {
-  return is_letter(c) || c == '+' || c == '-' || c == ' ';
+  return is_letter(c) || c == '+' || c == '-' || c == '|' || c == ' ';
 }
 
 TurtlePath walk_turtle(std::string_view word, double angle_degrees) {
   TurtlePath path;
   int heading = 0;
+  int half_turns = 0;
   for (const char c : word) {
     BURIN_EXPECT(is_turtle_step(c));
     if (c == '+') {
       ++heading;
     } else if (c == '-') {
       --heading;
+    } else if (c == '|') {
+      half_turns ^= 1;
     } else if (is_letter(c)) {
-      const double degrees = angle_degrees * heading;
+      const double degrees = angle_degrees * heading + 180.0 * half_turns;
       path.vertices.push_back(path.vertices.back() + Vec2{math::cos_degrees(degrees), math::sin_degrees(degrees)});
       path.letters += c;
     }

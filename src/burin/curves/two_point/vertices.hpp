@@ -17,10 +17,10 @@ struct TurtlePath {
   std::string letters;
 };
 
-/// Whether a turtle knows this character: a letter, + and -, or a blank.
+/// Whether a turtle knows this character: a letter, +, -, |, or a blank.
 bool is_turtle_step(char c);
 
-/// Letters draw an edge of length 1, + turns left and - right by the angle; blanks are skipped.
+/// Letters draw an edge of length 1, + turns left and - right by the angle, | turns back; blanks are skipped.
 /// Pre: every character is a turtle step.
 TurtlePath walk_turtle(std::string_view word, double angle_degrees);
 
