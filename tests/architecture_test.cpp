@@ -33,8 +33,13 @@ const std::vector<Room> rooms{
 };
 
 const std::vector<Library> third_parties{
-    {"toml++/", "src/burin/preset/"},     {"muParser", "src/burin/expr/"}, {"cairo", "src/burin/output_cairo/", false},
-    {"png.h", "src/burin/output_cairo/"}, {"boost/", "src/cli/"},          {"oneapi/", "src/cli/"},
+    {"toml++/", "src/burin/preset/"},
+    {"muParser", "src/burin/expr/"},
+    {"cairo", "src/burin/output_cairo/", false},
+    {"png.h", "src/burin/output_cairo/"},
+    {"boost/", "src/cli/"},
+    {"libdeflate.h", "src/burin/output/"},
+    {"oneapi/", "src/cli/"},
     {"zlib.h", "src/cli/recover/"},
 };
 

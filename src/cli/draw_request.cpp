@@ -177,7 +177,7 @@ class Reader {
   void refuse_idle_options(const DrawRequest& request) {
     for (const FormatOption& row : format_options()) {
       const bool used = std::any_of(request.outputs.begin(), request.outputs.end(), [&](const RequestedOutput& output) {
-        return format_uses(output.back_end->format, row.option);
+        return uses_option(*output.back_end, row.option);
       });
       if (arguments_.has(row.option) && !used) {
         report("--{} is for {}, and no such output is asked for; add -o NAME.{}", row.option,

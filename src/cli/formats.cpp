@@ -18,7 +18,7 @@ namespace {
 #ifdef BURIN_HAS_CAIRO
 constexpr std::string_view build_note;
 #else
-constexpr std::string_view build_note = " (this burin was built without Cairo: no PDF and PNG)";
+constexpr std::string_view build_note = " (this burin was built without Cairo: no PNG)";
 #endif
 
 /// Cairo's finish is the better default where both write a format, but for SVG.
@@ -90,13 +90,15 @@ Result<std::string> format_of_suffix(const std::string& path) {
 
 const std::vector<FormatOption>& format_options() {
   static const std::vector<FormatOption> rows{
-      {"dpi", {"png"}}, {"size", {"png"}}, {"decimals", {"svg"}}, {"paper", {"svg", "pdf"}}};
+      {"dpi", {"png"}}, {"size", {"png"}}, {"decimals", {"svg", "pdf"}, "native"}, {"paper", {"svg", "pdf"}}};
   return rows;
 }
 
-bool format_uses(std::string_view format, std::string_view option) {
+bool uses_option(const BackEnd& back_end, std::string_view option) {
   for (const FormatOption& row : format_options()) {
-    if (row.option == option) return std::find(row.formats.begin(), row.formats.end(), format) != row.formats.end();
+    if (row.option != option) continue;
+    return (row.back_end.empty() || row.back_end == back_end.name) &&
+           std::find(row.formats.begin(), row.formats.end(), back_end.format) != row.formats.end();
   }
   return true;
 }

@@ -29,8 +29,9 @@ Result<Done> check_format(std::string_view format);
 struct FormatOption {
   std::string_view option;
   std::vector<std::string_view> formats;
+  std::string_view back_end{};  ///< the only one that does; empty: all
 };
 const std::vector<FormatOption>& format_options();
-bool format_uses(std::string_view format, std::string_view option);
+bool uses_option(const BackEnd& back_end, std::string_view option);
 
 }  // namespace burin::cli

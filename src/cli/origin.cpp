@@ -34,12 +34,12 @@ std::string list_of_pairs(const std::vector<std::pair<std::string, std::string>>
 
 std::string format_flags(const DrawRequest& request, const BackEnd& back_end) {
   std::string text = fmt::format("format = \"{}\"\nbackend = \"{}\"\n", back_end.format, back_end.name);
-  if (format_uses(back_end.format, "dpi")) {
+  if (uses_option(back_end, "dpi")) {
     text += request.longer_side_px ? fmt::format("size = \"{}px\"\n", fixed_text(*request.longer_side_px, 0))
                                    : fmt::format("dpi = \"{}\"\n", shortest_text(request.dots_per_inch));
   }
-  if (format_uses(back_end.format, "decimals")) text += fmt::format("decimals = \"{}\"\n", request.decimals);
-  if (request.paper && format_uses(back_end.format, "paper")) text += "paper = true\n";
+  if (uses_option(back_end, "decimals")) text += fmt::format("decimals = \"{}\"\n", request.decimals);
+  if (request.paper && uses_option(back_end, "paper")) text += "paper = true\n";
   if (request.all_points) text += "all-points = true\n";
   if (!request.only.empty()) text += fmt::format("only = {}\n", list_of(request.only));
   if (!request.skip.empty()) text += fmt::format("skip = {}\n", list_of(request.skip));

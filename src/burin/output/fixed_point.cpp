@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstring>
 
 #include <burin/base/check.hpp>
 #include <burin/output/fixed_point.hpp>
@@ -29,6 +30,28 @@ Problem coordinate_problem() {
 }
 
 Grid::Grid(int decimals) : decimals_(decimals), units_per_mm_(units_per_mm(decimals)) {}
+
+char* spell_fixed(char* to, std::int64_t value, int decimals) {
+  char digits[24];
+  char* const end = digits + sizeof digits;
+  char* first = end;
+  auto rest = value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+  const auto put = [&](std::uint64_t digit) { *--first = static_cast<char>('0' + digit); };
+
+  bool fraction = false;
+  for (int i = 0; i < decimals; ++i, rest /= 10) {
+    fraction = fraction || rest % 10 != 0;
+    if (fraction) put(rest % 10);
+  }
+  if (fraction) *--first = '.';
+  if (rest == 0 && !fraction) put(0);
+  for (; rest > 0; rest /= 10) put(rest % 10);
+  if (value < 0) *--first = '-';
+
+  const auto length = static_cast<std::size_t>(end - first);
+  std::memcpy(to, first, length);
+  return to + length;
+}
 
 double half_unit_mm(int decimals) {
   return 0.5 / units_per_mm(decimals);

@@ -48,6 +48,10 @@ class Grid {
   double units_per_mm_;
 };
 
+/// Writes `value` units of the last of `decimals` decimals as a number without a leading zero of its whole part or
+/// trailing zeros: ".5", "-12.25". Returns the end; at most 22 characters.
+char* spell_fixed(char* to, std::int64_t value, int decimals);
+
 /// Half a unit of the last of `decimals` decimals: how far a rounded coordinate may be from the true one.
 double half_unit_mm(int decimals);
 

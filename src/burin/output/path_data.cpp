@@ -9,29 +9,6 @@ PathData::PathData(int decimals) : grid_(decimals) {
   for (std::int64_t value = -largest_ready; value <= largest_ready; ++value) ready_.push_back(ready_text(value));
 }
 
-/// Writes `value` units as a decimal number without a leading zero of its whole part or trailing zeros.
-char* PathData::spell(char* to, std::int64_t value) const {
-  char digits[24];
-  char* const end = digits + sizeof digits;
-  char* first = end;
-  auto rest = value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
-  const auto put = [&](std::uint64_t digit) { *--first = static_cast<char>('0' + digit); };
-
-  bool fraction = false;
-  for (int i = 0; i < grid_.decimals(); ++i, rest /= 10) {
-    fraction = fraction || rest % 10 != 0;
-    if (fraction) put(rest % 10);
-  }
-  if (fraction) *--first = '.';
-  if (rest == 0 && !fraction) put(0);
-  for (; rest > 0; rest /= 10) put(rest % 10);
-  if (value < 0) *--first = '-';
-
-  const auto length = static_cast<std::size_t>(end - first);
-  std::memcpy(to, first, length);
-  return to + length;
-}
-
 std::uint8_t PathData::begins(char first) {
   if (first == '.') return 1;
   return first >= '0' && first <= '9' ? 2 : 0;
@@ -39,7 +16,7 @@ std::uint8_t PathData::begins(char first) {
 
 PathData::Text PathData::ready_text(std::int64_t value) const {
   Text text{};
-  const char* const end = spell(text.characters, value);
+  const char* const end = spell_fixed(text.characters, value, grid_.decimals());
   text.length = static_cast<std::uint8_t>(end - text.characters);
   text.begins = begins(text.characters[0]);
   text.leaves = std::memchr(text.characters, '.', text.length) ? Before::pointed_number : Before::whole_number;
@@ -48,7 +25,7 @@ PathData::Text PathData::ready_text(std::int64_t value) const {
 
 char* PathData::number(char* to, std::int64_t value, Before& before) const {
   char text[24];
-  const auto length = static_cast<std::size_t>(spell(text, value) - text);
+  const auto length = static_cast<std::size_t>(spell_fixed(text, value, grid_.decimals()) - text);
   if (begins(text[0]) > static_cast<std::uint8_t>(before)) *to++ = ' ';
   std::memcpy(to, text, length);
   before = std::memchr(text, '.', length) ? Before::pointed_number : Before::whole_number;

@@ -58,7 +58,6 @@ class PathData {
 
   static std::uint8_t begins(char first);
   Text ready_text(std::int64_t value) const;
-  char* spell(char* to, std::int64_t value) const;
   char* number(char* to, std::int64_t value, Before& before) const;
   char* one_line(char* to, std::int64_t dx, std::int64_t dy, char& command, Before& before) const;
 

@@ -16,6 +16,15 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
+/// Shares of a printer's four inks, from 0 to 1.
+struct Cmyk {
+  double cyan = 0.0;
+  double magenta = 0.0;
+  double yellow = 0.0;
+  double black = 0.0;
+  friend bool operator==(const Cmyk&, const Cmyk&) = default;
+};
+
 /// "#rgb", "#rrggbb", a CSS colour name or one of burin's papers ("oat", "kraft" ...), in small or capital letters;
 /// nothing for other words.
 std::optional<Colour> parse_colour(std::string_view text);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,14 @@ struct Page {
   Colour paper{255, 255, 255};  ///< shown in PNG; in SVG and PDF only on request
 };
 
-/// What draws: as on a plotter, a colour and a width.
+/// What draws: as on a plotter, a colour and a width. A printer may know the colour better, as inks: the native PDF
+/// says these, and `colour` is what a screen shows of a spot colour without `cmyk`.
 struct Pen {
   std::string name;
   Colour colour;
   double width_mm = 0.3;
+  std::optional<Cmyk> cmyk{};
+  std::string spot{};  ///< name of an ink of its own, for example "Pantone 485 C"; empty: none
 };
 
 enum class Cap : std::uint8_t { round, butt, square };

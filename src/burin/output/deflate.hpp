@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+struct libdeflate_compressor;
+
+namespace burin::output {
+
+/// Compresses blocks of bytes into zlib streams (RFC 1950), as PDF and PNG hold them. One object serves many blocks;
+/// its memory is that of the largest block.
+class Deflater {
+ public:
+  /// Pre: 1 <= level <= 12, from fast to small.
+  explicit Deflater(int level);
+  ~Deflater();
+
+  /// A whole stream for `bytes`. The result is valid until the next call.
+  std::string_view operator()(std::string_view bytes);
+
+ private:
+  struct Free {
+    void operator()(libdeflate_compressor* compressor) const;
+  };
+
+  std::unique_ptr<libdeflate_compressor, Free> compressor_;
+  std::unique_ptr<char[]> stream_;
+  std::size_t stream_room_ = 0;
+};
+
+}  // namespace burin::output
