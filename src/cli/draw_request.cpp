@@ -34,7 +34,7 @@ constexpr std::array option_rows{
     OptionRow{"backend", 0, "NAME", "native or cairo; 'burin list formats' shows who writes what"},
     OptionRow{"dpi", 0, "N", "PNG: dots per inch (300)"},
     OptionRow{"size", 0, "Npx", "PNG: dots along the longer side, instead of --dpi"},
-    OptionRow{"decimals", 0, "N", "SVG: places after the point of a millimetre, 0 to 6 (3)"},
+    OptionRow{"decimals", 0, "N", "SVG and native PDF: places after the point of a mm, 0 to 6 (3)"},
     OptionRow{"paper", 0, "", "SVG, PDF: draw the paper's colour too, as PNG always does"},
     OptionRow{"only", 0, "LAYER", "draw this layer only", true},
     OptionRow{"skip", 0, "LAYER", "leave this layer out", true},
@@ -141,9 +141,12 @@ class Reader {
                       !failed_a && !failed_b);
   }
 
-  void read_outputs(DrawRequest& request) {
+  void read_outputs(DrawRequest& request, const PreferredBackEnd& preferred) {
     const std::optional<std::string> format = arguments_.value("format");
-    const std::optional<std::string> back_end = arguments_.value("backend");
+    const std::optional<std::string> typed_back_end = arguments_.value("backend");
+    const auto back_end = [&](const std::string& name) {
+      return typed_back_end || preferred.format != name ? typed_back_end : preferred.back_end;
+    };
     std::vector<std::string> paths = arguments_.values("output");
     if (std::find(paths.begin(), paths.end(), "") != paths.end()) report("-o needs the name of a file, not ''");
     if (paths.empty()) paths.emplace_back();
@@ -157,7 +160,7 @@ class Reader {
       const bool suffix_tells = !format && !path.empty() && !named_descriptor(path);
       const Result<std::string> name = suffix_tells ? format_of_suffix(path) : format.value_or("svg");
       const Result<const BackEnd*> writer =
-          name ? choose_back_end(*name, back_end) : Result<const BackEnd*>(name.problems());
+          name ? choose_back_end(*name, back_end(*name)) : Result<const BackEnd*>(name.problems());
       if (writer) {
         request.outputs.push_back({path, *writer});
       } else {
@@ -180,8 +183,9 @@ class Reader {
         return uses_option(*output.back_end, row.option);
       });
       if (arguments_.has(row.option) && !used) {
-        report("--{} is for {}, and no such output is asked for; add -o NAME.{}", row.option,
-               fmt::join(row.formats, " and "), row.formats.front());
+        report("--{} is for {}{}, and no such output is asked for; add -o NAME.{}", row.option,
+               fmt::join(row.formats, " and "),
+               row.back_end.empty() ? "" : fmt::format(" of --backend {}", row.back_end), row.formats.front());
       }
     }
   }
@@ -202,7 +206,8 @@ std::span<const OptionRow> draw_options() {
   return option_rows;
 }
 
-Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::string& command) {
+Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::string& command,
+                                      const PreferredBackEnd& preferred) {
   Reader reader(arguments, command);
   DrawRequest request;
   request.command = command;
@@ -226,7 +231,7 @@ Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::str
   request.skip = arguments.values("skip");
   request.quiet = arguments.has("quiet");
   request.verbose = arguments.has("verbose");
-  reader.read_outputs(request);
+  reader.read_outputs(request, preferred);
   return reader.result(std::move(request));
 }
 

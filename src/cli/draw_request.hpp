@@ -46,8 +46,15 @@ struct DrawRequest {
 
 std::span<const OptionRow> draw_options();
 
+/// The back end to take for a format when the command line names none.
+struct PreferredBackEnd {
+  std::string format;  ///< empty: none
+  std::string back_end;
+};
+
 /// Everything that is wrong with the command line at once, as `command` tells it.
-Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::string& command = "burin draw");
+Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::string& command = "burin draw",
+                                      const PreferredBackEnd& preferred = {});
 
 /// The choices a back end looks at, for a page of this size.
 OutputOptions output_options(const DrawRequest& request, const Page& page);

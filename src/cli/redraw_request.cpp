@@ -88,7 +88,7 @@ bool is_format_choice(std::string_view option) {
 
 bool is_used(std::string_view option, const DrawRequest& request) {
   return std::any_of(request.outputs.begin(), request.outputs.end(),
-                     [&](const RequestedOutput& output) { return format_uses(output.back_end->format, option); });
+                     [&](const RequestedOutput& output) { return uses_option(*output.back_end, option); });
 }
 
 }  // namespace
@@ -108,7 +108,10 @@ Result<DrawRequest> redraw_request(const Recovered& recovered, const Arguments& 
   for (Options more : {typed_options(typed), output_choices(recovered, typed, file)}) {
     options.insert(options.end(), more.begin(), more.end());
   }
-  const auto read = [&] { return read_single_request(Arguments({recovered.preset.file}, options), "burin redraw"); };
+  const PreferredBackEnd recorded{recorded_value(recovered, "format"), recorded_value(recovered, "backend")};
+  const auto read = [&] {
+    return read_single_request(Arguments({recovered.preset.file}, options), "burin redraw", recorded);
+  };
 
   // Which choices of the record are of use is known when the formats are.
   const Result<DrawRequest> outputs = read();
@@ -116,16 +119,7 @@ Result<DrawRequest> redraw_request(const Recovered& recovered, const Arguments& 
   for (const auto& [option, value] : format_choices) {
     if (option != "format" && option != "backend" && is_used(option, *outputs)) options.emplace_back(option, value);
   }
-  Result<DrawRequest> request = read();
-  if (!request || typed.has("backend")) return request;
-  for (RequestedOutput& output : request->outputs) {
-    if (output.back_end->format != recorded_value(recovered, "format")) continue;
-    const Result<const BackEnd*> back_end =
-        choose_back_end(output.back_end->format, recorded_value(recovered, "backend"));
-    if (!back_end) return back_end.problems();
-    output.back_end = *back_end;
-  }
-  return request;
+  return read();
 }
 
 }  // namespace burin::cli

@@ -32,8 +32,9 @@ std::vector<OptionRow> single_options(std::span<const OptionRow> own) {
   return rows;
 }
 
-Result<DrawRequest> read_single_request(const Arguments& arguments, const std::string& command) {
-  Result<DrawRequest> request = read_draw_request(arguments, command);
+Result<DrawRequest> read_single_request(const Arguments& arguments, const std::string& command,
+                                        const PreferredBackEnd& preferred) {
+  Result<DrawRequest> request = read_draw_request(arguments, command, preferred);
   if (request && !request->series.seeds.empty()) {
     return Problem{{command},
                    fmt::format("one seed at a time, not '{}'; 'burin draw' draws many", *arguments.value("seed"))};

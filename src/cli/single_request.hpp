@@ -15,6 +15,7 @@ namespace burin::cli {
 std::vector<OptionRow> single_options(std::span<const OptionRow> own);
 
 /// Reads them; several seeds are a problem.
-Result<DrawRequest> read_single_request(const Arguments& arguments, const std::string& command);
+Result<DrawRequest> read_single_request(const Arguments& arguments, const std::string& command,
+                                        const PreferredBackEnd& preferred = {});
 
 }  // namespace burin::cli

@@ -52,7 +52,21 @@ double tolerance_mm(const OutputOptions&) {
   return 0.5 * mm_per_point / 256.0;
 }
 
+/// Cairo knows screens' colours only, and a printer would not see what is missing.
+Problems lost_inks(const Sheet& sheet) {
+  Problems problems;
+  for (const Pen& pen : sheet.pens) {
+    if (!pen.cmyk && pen.spot.empty()) continue;
+    problems.push_back(
+        {{},
+         fmt::format("pen '{}' has '{}', which Cairo cannot write into a PDF: draw with --backend native", pen.name,
+                     pen.spot.empty() ? "cmyk" : "spot")});
+  }
+  return problems;
+}
+
 Result<Done> accepts(const Sheet& sheet, const OutputOptions&) {
+  if (Problems lost = lost_inks(sheet); !lost.empty()) return lost;
   if (std::max(sheet.page.width_mm, sheet.page.height_mm) <= longest_page_mm) return Done{};
   return Problem{{},
                  fmt::format("a PDF page of {} x {} mm is more than viewers open; a side can have {} mm: make the page "

@@ -62,10 +62,17 @@ struct PageSpec {
 struct PenSpec {
   Colour color;
   params::Length width{0.3};
+  std::optional<std::array<double, 4>> cmyk;
+  std::string spot;
 
   static constexpr auto fields() {
-    return std::tuple{params::field("color", &PenSpec::color, "a name or #rrggbb"),
-                      params::field("width", &PenSpec::width, {0.0, 100.0, true, false}, "width of its line")};
+    return std::tuple{
+        params::field("color", &PenSpec::color, "a name or #rrggbb"),
+        params::field("width", &PenSpec::width, {0.0, 100.0, true, false}, "width of its line"),
+        params::field("cmyk", &PenSpec::cmyk,
+                      "[c, m, y, k], inks in percent, for the PDF of --backend native; other formats use 'color'"),
+        params::field("spot", &PenSpec::spot,
+                      "name of a spot ink such as \"Pantone 485 C\", for the same PDF; unset: none")};
   }
 };
 

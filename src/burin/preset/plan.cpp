@@ -76,10 +76,18 @@ double half_widest_pen_mm(const Piece& piece, const Layer& layer) {
   return 0.5 * widest;
 }
 
+std::optional<Cmyk> inks_of(const PenSpec& pen) {
+  if (!pen.cmyk) return std::nullopt;
+  const auto& [cyan, magenta, yellow, black] = *pen.cmyk;  // in percent
+  return Cmyk{cyan / 100.0, magenta / 100.0, yellow / 100.0, black / 100.0};
+}
+
 Sheet sheet_of(const Piece& piece) {
   Sheet sheet;
   sheet.page = {piece.page.size.width_mm, piece.page.size.height_mm, piece.page.bleed.mm, piece.page.paper};
-  for (const NamedPen& pen : piece.pens) sheet.pens.push_back({pen.name, pen.pen.color, pen.pen.width.mm});
+  for (const auto& [name, pen] : piece.pens) {
+    sheet.pens.push_back({name, pen.color, pen.width.mm, inks_of(pen), pen.spot});
+  }
   return sheet;
 }
 

@@ -72,6 +72,15 @@ void check_slot(const Table& table, const SlotSpec& slot, ReadContext& context) 
   }
 }
 
+void check_pen(const Table& table, const PenSpec& pen, ReadContext& context) {
+  if (!pen.cmyk) return;
+  for (const double percent : *pen.cmyk) {
+    if (percent >= 0.0 && percent <= 100.0) continue;
+    context.report(table.find("cmyk")->where,
+                   fmt::format("'cmyk': an ink of {} percent is outside [0, 100]", shortest_text(percent)));
+  }
+}
+
 }  // namespace
 
 About read_about(const Table& root, ReadContext& context) {
@@ -92,8 +101,9 @@ PageSpec read_page(const Table& root, const Where& file, ReadContext& context) {
 
 std::vector<NamedPen> read_pens(const Table& root, ReadContext& context) {
   std::vector<NamedPen> pens;
-  read_named<PenSpec>(root, "pens", "pen", context, [&](const std::string& name, PenSpec pen, const Table*) {
-    pens.push_back({name, pen});
+  read_named<PenSpec>(root, "pens", "pen", context, [&](const std::string& name, PenSpec pen, const Table* table) {
+    if (table != nullptr) check_pen(*table, pen, context);
+    pens.push_back({name, std::move(pen)});
   });
   if (pens.empty()) pens.push_back({"ink", {}});
   return pens;

@@ -1,7 +1,7 @@
 #include <string>
+#include <zlib.h>
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <burin/output/deflate.hpp>
 

@@ -102,6 +102,19 @@ TEST(Pdf, RefusesPagesThatViewersDoNotOpen) {
   EXPECT_NE(result.problems()[0].message.find("20 x 5080.1 mm"), std::string::npos) << result.problems()[0].message;
 }
 
+TEST(Pdf, RefusesInksThatItWouldLose) {
+  Sheet sheet = small_sheet();
+  sheet.pens[0].cmyk = Cmyk{0.0, 1.0, 1.0, 0.0};
+  sheet.pens.push_back({.name = "gold", .spot = "Pantone 871 C"});
+  const Result<Done> result = cairo_back_end("pdf").accepts(sheet, {});
+  ASSERT_FALSE(result.ok());
+  ASSERT_EQ(result.problems().size(), 2U);
+  EXPECT_NE(result.problems()[0].message.find("pen 'ink' has 'cmyk'"), std::string::npos);
+  EXPECT_NE(result.problems()[1].message.find("pen 'gold' has 'spot'"), std::string::npos);
+  EXPECT_NE(result.problems()[1].message.find("--backend native"), std::string::npos);
+  for (const char* format : {"png", "svg"}) EXPECT_TRUE(cairo_back_end(format).accepts(sheet, {}).ok()) << format;
+}
+
 TEST(Pdf, ToleranceIsHalfOfCairosUnit) {
   EXPECT_DOUBLE_EQ(cairo_back_end("pdf").tolerance_mm({}), 25.4 / 72.0 / 512.0);
 }
