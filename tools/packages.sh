@@ -7,7 +7,8 @@ build_packages=(g++ cmake ninja-build pkg-config libcairo2-dev libpng-dev libfmt
 test_packages=(libgtest-dev nlohmann-json3-dev)
 
 # What ./check --full needs besides.
-full_packages=(clang-14 clang-format-14 libclang-rt-14-dev librsvg2-bin mupdf-tools qpdf libxml2-utils pngcheck)
+full_packages=(clang-14 clang-format-14 libclang-rt-14-dev librsvg2-bin mupdf-tools poppler-utils
+  qpdf libxml2-utils pngcheck)
 
 # install_packages NAME...: installs those that dpkg does not know as installed; does nothing and needs no network when
 # all are there. As a plain user with sudo it asks for the password; without sudo it says what to run.

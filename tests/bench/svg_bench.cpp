@@ -1,11 +1,10 @@
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
-#include "support/measured_run.hpp"
+#include "bench/costs.hpp"
 #include "support/temporary_folder.hpp"
 
 /// What SVG costs: bytes, time and memory of the whole tool. Times are compared with each other, in turns, because they
@@ -33,17 +32,6 @@ class SvgBench : public testing::Test {
   TemporaryFolder folder;
   std::string picture = folder.file("koch.svg");
 };
-
-/// The cheapest of several runs, each measure for itself: noise only adds.
-Cost cheapest(const Cost& a, const Cost& b) {
-  return {std::min(a.cpu_s, b.cpu_s), std::min(a.wall_s, b.wall_s), std::min(a.peak_mib, b.peak_mib)};
-}
-
-constexpr Cost unknown{1e9, 1e9, 1e9};
-
-void print_row(const char* what, const Cost& cost) {
-  std::printf("%-28s cpu %7.4f s  wall %7.4f s  peak %6.1f MiB\n", what, cost.cpu_s, cost.wall_s, cost.peak_mib);
-}
 
 TEST_F(SvgBench, AMillionSegmentsAreSmallAndTwentyTimesCheaperThanCairos) {
   Cost native = unknown;

@@ -22,12 +22,14 @@ std::vector<std::string> shipped_presets() {
 
 class Shipped : public testing::TestWithParam<std::string> {
  protected:
-  /// The preset on its paper in every format: ours.png, native.svg, cairo.svg, page.pdf.
+  /// The preset on its paper in every format: ours.png, native.svg, cairo.svg, page.pdf, native.pdf, the last as if it
+  /// had no bleed, which would need a larger sheet.
   void draw_all(const std::vector<std::string>& png_options) const {
     draw(folder, GetParam(), "ours.png", png_options);
     draw(folder, GetParam(), "native.svg", {"--paper"});
     draw(folder, GetParam(), "cairo.svg", {"--paper", "--backend", "cairo"});
     draw(folder, GetParam(), "page.pdf", {"--paper"});
+    draw(folder, GetParam(), "native.pdf", {"--paper", "--backend", "native", "--set", "page.bleed=0"});
   }
 
   /// An attribute of the root of an SVG file.
@@ -49,7 +51,9 @@ TEST_P(Shipped, LooksTheSameOnAScreen) {
   expect_alike(ours, seen_by_rsvg(folder, "cairo", as));
   // MuPDF rounds every edge outwards to 1/17 of a dot, which makes a line of one dot 2 % wider: its ink is compared
   // where a line has more dots, in print.
-  EXPECT_LE(rmse(ours, seen_by_mupdf(folder, "page", as)), most_rmse);
+  for (const char* pdf : {"page", "native"}) {
+    EXPECT_LE(rmse(ours, seen_by_mupdf(folder, pdf, as)), most_rmse) << pdf;
+  }
   EXPECT_GT(rmse(ours, upside_down(ours)), most_rmse) << "another picture would pass, too";
 }
 
@@ -61,19 +65,25 @@ TEST_P(Shipped, LooksTheSameInPrint) {
   expect_alike(ours, seen_by_rsvg(folder, "native", as));
   expect_alike(ours, seen_by_rsvg(folder, "cairo", as));
   expect_alike(ours, seen_by_mupdf(folder, "page", as));
+  expect_alike(ours, seen_by_mupdf(folder, "native", as));
   EXPECT_GT(rmse(ours, upside_down(ours)), most_rmse) << "another picture would pass, too";
 }
 
 TEST_P(Shipped, IsCleanForPrograms) {
   draw_all({});
   run_silently_in(folder, {"xmllint", "--noout", "native.svg", "cairo.svg"});
-  EXPECT_NE(run_in(folder, {"qpdf", "--check", "page.pdf"}).out.find("No syntax or stream encoding errors found"),
-            std::string::npos);
-  const Finished info = run_in(folder, {"mutool", "info", "page.pdf"});
-  EXPECT_EQ(info.err, "");
-  EXPECT_NE(info.out.find("Pages: 1\n"), std::string::npos) << info.out;
-  EXPECT_NE(info.out.find("/Title("), std::string::npos) << info.out;
-  EXPECT_EQ(info.out.find("Images ("), std::string::npos) << "a picture of dots in the PDF\n" << info.out;
+  draw(folder, GetParam(), "bleed.pdf", {"--backend", "native", "--set", "page.bleed=3mm"});
+  for (const std::string pdf : {"page.pdf", "native.pdf", "bleed.pdf"}) {
+    SCOPED_TRACE(pdf);
+    EXPECT_NE(run_in(folder, {"qpdf", "--check", pdf}).out.find("No syntax or stream encoding errors found"),
+              std::string::npos);
+    const Finished info = run_in(folder, {"mutool", "info", pdf});
+    EXPECT_EQ(info.err, "");
+    EXPECT_NE(info.out.find("Pages: 1\n"), std::string::npos) << info.out;
+    EXPECT_NE(info.out.find("/Title("), std::string::npos) << info.out;
+    EXPECT_EQ(info.out.find("Images ("), std::string::npos) << "a picture of dots in the PDF\n" << info.out;
+    run_silently_in(folder, {"pdftocairo", "-png", "-r", "30", pdf, "poppler"});
+  }
   run_silently_in(folder, {"pngcheck", "-q", "ours.png"});
 }
 
@@ -88,21 +98,24 @@ TEST_P(Shipped, HasItsTrueSizeInEveryFormat) {
   EXPECT_EQ(root_attribute("cairo.svg", "width"), width);
   EXPECT_EQ(root_attribute("cairo.svg", "height"), height);
 
-  const std::string pages = run_in(folder, {"mutool", "pages", "page.pdf"}).out;
-  const std::size_t at = pages.find("<MediaBox");
-  ASSERT_NE(at, std::string::npos) << pages;
-  double left = -1.0;
-  double bottom = -1.0;
-  double right = 0.0;
-  double top = 0.0;
-  ASSERT_EQ(std::sscanf(pages.c_str() + at, "<MediaBox l=\"%lf\" b=\"%lf\" r=\"%lf\" t=\"%lf\"", &left, &bottom, &right,
-                        &top),
-            4)
-      << pages;
-  EXPECT_EQ(left, 0.0);
-  EXPECT_EQ(bottom, 0.0);
-  EXPECT_NEAR(right, width_mm * 72.0 / mm_per_inch, 1e-3);
-  EXPECT_NEAR(top, height_mm * 72.0 / mm_per_inch, 1e-3);
+  for (const std::string pdf : {"page.pdf", "native.pdf"}) {
+    SCOPED_TRACE(pdf);
+    const std::string pages = run_in(folder, {"mutool", "pages", pdf}).out;
+    const std::size_t at = pages.find("<MediaBox");
+    ASSERT_NE(at, std::string::npos) << pages;
+    double left = -1.0;
+    double bottom = -1.0;
+    double right = 0.0;
+    double top = 0.0;
+    ASSERT_EQ(std::sscanf(pages.c_str() + at, "<MediaBox l=\"%lf\" b=\"%lf\" r=\"%lf\" t=\"%lf\"", &left, &bottom,
+                          &right, &top),
+              4)
+        << pages;
+    EXPECT_EQ(left, 0.0);
+    EXPECT_EQ(bottom, 0.0);
+    EXPECT_NEAR(right, width_mm * 72.0 / mm_per_inch, 1e-3);
+    EXPECT_NEAR(top, height_mm * 72.0 / mm_per_inch, 1e-3);
+  }
 
   const GreyPicture ours = read_png(folder.file("ours.png"));
   EXPECT_NEAR(ours.width, width_mm / mm_per_inch * 100.0, 0.51);

@@ -105,7 +105,7 @@ TEST(Pdf, RefusesPagesThatViewersDoNotOpen) {
 TEST(Pdf, RefusesInksThatItWouldLose) {
   Sheet sheet = small_sheet();
   sheet.pens[0].cmyk = Cmyk{0.0, 1.0, 1.0, 0.0};
-  sheet.pens.push_back({.name = "gold", .spot = "Pantone 871 C"});
+  sheet.pens.push_back({.name = "gold", .colour = {180, 150, 80}, .spot = "Pantone 871 C"});
   const Result<Done> result = cairo_back_end("pdf").accepts(sheet, {});
   ASSERT_FALSE(result.ok());
   ASSERT_EQ(result.problems().size(), 2U);

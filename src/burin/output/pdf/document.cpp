@@ -34,6 +34,13 @@ std::string blending_space(const Sheet& sheet) {
   return inks ? "/DeviceCMYK" : "/DeviceRGB";
 }
 
+std::string form_entries(std::string_view box) {
+  return fmt::format("/Type/XObject/Subtype/Form/BBox[{}]", box);
+}
+
+/// Ten times as far as a figure reaches: no stroke of it is cut off.
+constexpr std::string_view figure_box = "-10000000 -10000000 10000000 10000000";
+
 }  // namespace
 
 std::string layer_begin(std::size_t layer) {
@@ -48,11 +55,22 @@ void Document::add_chunk(std::string_view operators) {
   if (operators.empty()) return;
   const ObjectId id = file_.reserve();
   (group_box_.empty() ? page_chunks_ : group_chunks_).push_back(id);
-  file_.stream(id, group_box_.empty() ? std::string() : form_entries() + "/Resources<<>>", operators);
+  if (group_box_.empty()) {
+    file_.stream(id, {}, operators);
+  } else {
+    file_.stream(id, form_entries(group_box_) + fmt::format("/Resources<</XObject<<{}>>>>", figure_names()), operators);
+  }
 }
 
-std::string Document::form_entries() const {
-  return fmt::format("/Type/XObject/Subtype/Form/BBox[{}]", group_box_);
+void Document::add_figure(std::string_view operators) {
+  figures_.push_back(file_.reserve());
+  file_.stream(figures_.back(), form_entries(figure_box) + "/Resources<<>>", operators);
+}
+
+std::string Document::figure_names() const {
+  std::string names;
+  for (std::size_t i = 0; i < figures_.size(); ++i) names += fmt::format("/F{} {}\n", i, reference(figures_[i]));
+  return names;
 }
 
 void Document::begin_group(double unit_mm) {
@@ -69,8 +87,8 @@ std::string Document::end_group(double opacity) {
   }
   const ObjectId id = file_.reserve();
   file_.stream(id,
-               form_entries() + fmt::format("/Group<</S/Transparency/CS{}>>/Resources<</XObject<<{}>>>>",
-                                            blending_space(sheet_), chunks),
+               form_entries(group_box_) + fmt::format("/Group<</S/Transparency/CS{}>>/Resources<</XObject<<{}>>>>",
+                                                      blending_space(sheet_), chunks),
                operators);
   group_chunks_.clear();
   group_box_.clear();
@@ -84,7 +102,7 @@ std::string Document::resources() const {
     if (!sheet_.pens[i].spot.empty()) spaces += fmt::format("/S{}{}\n", i, spot_space(sheet_.pens[i]));
   }
   std::string states;
-  std::string forms;
+  std::string forms = figure_names();
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     states += fmt::format("/A{0}<</ca {1}/CA {1}>>", i, number_text(groups_[i].opacity));
     forms += fmt::format("/G{} {}\n", i, reference(groups_[i].form));

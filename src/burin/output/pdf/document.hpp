@@ -26,15 +26,19 @@ class Document {
   /// Returns the operators that paint the group with `opacity`.
   std::string end_group(double opacity);
 
+  /// Writes a figure; its operators are /F0 Do, /F1 Do ... in the order of these calls.
+  void add_figure(std::string_view operators);
+
   /// Writes all that is known only at the end.
   Result<Done> finish();
 
  private:
-  std::string form_entries() const;
+  std::string figure_names() const;
   std::string resources() const;
 
   File file_;
   const Sheet& sheet_;
+  std::vector<ObjectId> figures_;
   std::vector<ObjectId> page_chunks_;
   std::string group_box_;  ///< empty: no group is begun
   std::vector<ObjectId> group_chunks_;

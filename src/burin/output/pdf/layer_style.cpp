@@ -42,13 +42,17 @@ bool is_dashed(const SheetLayer& layer) {
   return dash_sum_mm(layer) > 0.0;
 }
 
+std::string stroke_lengths(const Sheet& sheet, std::size_t layer, double unit_mm) {
+  const SheetLayer& style = sheet.layers[layer];
+  return number_text(sheet.pens[style.pen].width_mm / unit_mm) + " w " + dashes_text(style, unit_mm);
+}
+
 std::string layer_style(const Sheet& sheet, std::size_t layer, double unit_mm) {
   const SheetLayer& style = sheet.layers[layer];
-  const Pen& pen = sheet.pens[style.pen];
-  std::string text = fmt::format("{} w {} J {} j ", number_text(pen.width_mm / unit_mm), cap_number(style.cap),
-                                 join_number(style.join));
+  std::string text =
+      stroke_lengths(sheet, layer, unit_mm) + fmt::format("{} J {} j ", cap_number(style.cap), join_number(style.join));
   if (style.join == Join::miter) text += number_text(style.miter_limit) + " M ";
-  return text + dashes_text(style, unit_mm) + pen_colour_operators(pen, style.pen) + '\n';
+  return text + pen_colour_operators(sheet.pens[style.pen], style.pen) + '\n';
 }
 
 }  // namespace burin::output::pdf

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -7,6 +9,7 @@
 #include <burin/base/number_text.hpp>
 #include <burin/base/units.hpp>
 #include <burin/output/pdf/document.hpp>
+#include <burin/output/pdf/figures.hpp>
 #include <burin/output/pdf/layer_style.hpp>
 #include <burin/output/pdf/page.hpp>
 #include <burin/output/pdf/pieces.hpp>
@@ -25,6 +28,22 @@ constexpr double farthest_mm = 1e6;
 /// 14400 points: viewers need not open longer pages (ISO 32000-1, annex C.2).
 constexpr double longest_page_mm = 200.0 * mm_per_inch;
 
+/// Turned, mirrored, scaled and moved, but not bent out of shape.
+bool is_similarity(const Affine2& m) {
+  const double slack = 1e-9 * m.scale();
+  const auto same = [&](double x, double y) { return std::abs(x - y) <= slack; };
+  return m.determinant() != 0.0 && ((same(m.a, m.d) && same(m.b, -m.c)) || (same(m.a, -m.d) && same(m.b, m.c)));
+}
+
+/// Whether the box, put on the page, is within what readers understand.
+bool is_near(const Affine2& page_from_box, const Box2& box) {
+  return std::ranges::all_of(std::array{box.low, box.high, Vec2{box.low.x, box.high.y}, Vec2{box.high.x, box.low.y}},
+                             [&](Vec2 corner) {
+                               const Vec2 p = page_from_box(corner);
+                               return std::abs(p.x) <= farthest_mm && std::abs(p.y) <= farthest_mm;
+                             });
+}
+
 class PdfSink final : public OutputSink {
  public:
   PdfSink(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options)
@@ -38,6 +57,7 @@ class PdfSink final : public OutputSink {
   Flow points(std::span<const Vec2> points) override;
   Flow contour() override;
   Flow end() override;
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
   Result<Done> finish() override;
   std::uint64_t skipped_points() const override { return skipped_points_; }
 
@@ -47,7 +67,9 @@ class PdfSink final : public OutputSink {
 
   const SheetLayer& style() const { return sheet_.layers[*layer_]; }
   bool in_group() const { return layer_ && style().opacity < 1.0; }
+  void go_to_layer(LayerId layer);
   void enter_layer(LayerId layer);
+  std::optional<pdf::Figures::Known> known_figure(const Figure& figure);
   void leave_layer();
   void end_contour();
   void draw_dot();
@@ -57,6 +79,7 @@ class PdfSink final : public OutputSink {
   double unit_mm_;
   pdf::Document document_;
   pdf::Pieces pieces_;
+  pdf::Figures figures_;
   std::optional<Problem> problem_;
   std::uint64_t skipped_points_ = 0;
 
@@ -70,11 +93,10 @@ class PdfSink final : public OutputSink {
 };
 
 Flow PdfSink::begin(const PathHead& head) {
-  BURIN_EXPECT(head.layer < sheet_.layers.size() && head.layer >= layer_.value_or(0));
   head_ = head;
   contour_has_points_ = false;
   if (!drawn()) return flow();
-  if (layer_ != head.layer) enter_layer(head.layer);
+  go_to_layer(head.layer);
   pieces_.begin_path(head.paint);
   may_cut_ = head.paint == Paint::stroke && style().cap == Cap::round && style().join == Join::round &&
              !pdf::is_dashed(style());
@@ -171,6 +193,45 @@ void PdfSink::spill(std::size_t more_than) {
   if (pieces_.text().size() <= more_than || (in_group() && pieces_.is_open())) return;
   document_.add_chunk(pieces_.text());
   pieces_.clear();
+}
+
+/// Strokes keep the pen's width whatever the figure's size, so only a figure that keeps its shape can be a form.
+Flow PdfSink::place(const PathHead& head, const Figure& figure, const Affine2& at) {
+  if (head.role == Role::mask || flow() == Flow::stop) return flow();
+  const Box2 bounds = figure.drawing().bounds();
+  const double reach_mm = pdf::reach(bounds) * at.scale();
+  const double unit_in_form_mm = reach_mm / pdf::form_size;
+  const bool exact = unit_in_form_mm <= half_unit_mm(pieces_.grid().decimals());
+  const bool fits = sheet_.pens[sheet_.layers[head.layer].pen].width_mm <= reach_mm;
+  const std::optional<pdf::Figures::Known> known =
+      exact && fits && is_similarity(at) && is_near(at, bounds) ? known_figure(figure) : std::nullopt;
+  if (!known) return PathSink::place(head, figure, at);
+  go_to_layer(head.layer);
+  pieces_.end_piece();
+  const double shrink = 1.0 / (known->units_per_figure_unit * unit_mm_);
+  constexpr int decimals = 12;
+  const auto text = [](double value) { return pdf::number_text(value, decimals); };
+  pieces_.add(fmt::format("q {} {} {} {} {} {} cm {}/F{} Do Q\n", text(shrink * at.a), text(shrink * at.b),
+                          text(shrink * at.c), text(shrink * at.d), pdf::number_text(at.e / unit_mm_, 3),
+                          pdf::number_text(at.f / unit_mm_, 3),
+                          pdf::stroke_lengths(sheet_, head.layer, unit_in_form_mm), known->index));
+  spill(chunk_bytes);
+  return flow();
+}
+
+/// The figure's form, which is written when it comes for the first time; nothing when it has none.
+std::optional<pdf::Figures::Known> PdfSink::known_figure(const Figure& figure) {
+  if (const std::optional<pdf::Figures::Known> known = figures_.find(figure)) return known;
+  if (!figures_.has_room_for(figure)) return std::nullopt;
+  const std::optional<pdf::FigureForm> form = pdf::figure_form(figure);
+  if (!form) return std::nullopt;
+  document_.add_figure(form->operators);
+  return figures_.add(figure, form->units_per_figure_unit);
+}
+
+void PdfSink::go_to_layer(LayerId layer) {
+  BURIN_EXPECT(layer < sheet_.layers.size() && layer >= layer_.value_or(0));
+  if (layer_ != layer) enter_layer(layer);
 }
 
 void PdfSink::enter_layer(LayerId layer) {

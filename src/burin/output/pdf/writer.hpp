@@ -17,8 +17,9 @@ Result<Done> pdf_accepts(const Sheet& sheet, const OutputOptions& options);
 ///
 /// Strokes are painted in pieces of up to 1000 lines where a cut cannot show (round ends and corners, no dashes), else
 /// whole; fills whole. A layer with opacity is a transparency group. A stroke of one point is a dot. Masks are not
-/// drawn. Pens of CMYK or spot colours keep them. Memory: constant, and in a layer with opacity the text of the longest
-/// path that is not cut.
+/// drawn. A figure of 16 points or more that is placed without a change of shape is written once, as a form. Pens of
+/// CMYK or spot colours keep them. Memory: constant, and in a layer with opacity the text of the longest path that is
+/// not cut.
 std::unique_ptr<OutputSink> open_pdf(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options);
 
 }  // namespace burin::output
