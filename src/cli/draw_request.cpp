@@ -29,6 +29,7 @@ constexpr std::array option_rows{
               true},
     OptionRow{"page", 0, "SIZE", "a4, a3, letter ... or 30x40cm"},
     OptionRow{"landscape", 0, "", "turn the page on its side"},
+    OptionRow{"enlarge", 0, "SIZE", "scale the finished page to fit this one, up or down: pens and margins too"},
     OptionRow{"margin", 0, "LENGTHS", "one to four lengths, clockwise from the top: \"20mm 15mm\""},
     OptionRow{"format", 0, "FORMAT", "write this format, whatever the suffix says"},
     OptionRow{"backend", 0, "NAME", "native or cairo; 'burin list formats' shows who writes what"},
@@ -218,6 +219,7 @@ Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::str
   request.overrides.page_size = arguments.value("page");
   request.overrides.landscape = arguments.has("landscape");
   request.overrides.margin = arguments.value("margin");
+  request.overrides.enlarge = arguments.value("enlarge");
   double decimals = request.decimals;
   reader.number("decimals", 0.0, 6.0, true, decimals);
   request.decimals = static_cast<int>(decimals);

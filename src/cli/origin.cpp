@@ -82,6 +82,7 @@ std::string origin_record(const DrawRequest& request, const BackEnd& back_end, c
   if (overrides.page_size) text += fmt::format("page = {}\n", toml_string(*overrides.page_size));
   if (overrides.landscape) text += "landscape = true\n";
   if (overrides.margin) text += fmt::format("margin = {}\n", toml_string(*overrides.margin));
+  if (overrides.enlarge) text += fmt::format("enlarge = {}\n", toml_string(*overrides.enlarge));
   text += format_flags(request, back_end);
   text += fmt::format("text = {}\n", toml_text(preset.source.text));
   for (const params::DataDigest& data : piece.data) {

@@ -25,6 +25,7 @@ constexpr std::array examples{
     Example{"burin draw koch && burin redraw koch.svg -o b.svg && cmp koch.svg b.svg", "the same to the byte"},
     Example{"burin draw koch && burin redraw koch.svg -D levels=3 -o koch.pdf", "one knob turned, in another format"},
     Example{"burin draw koch && burin redraw koch.svg --page a1", "planned for a larger page; pens keep their width"},
+    Example{"burin draw koch && burin redraw koch.svg --enlarge a1", "all of it scaled, pens and margins too"},
     Example{"burin draw koch && burin redraw koch.svg --text > mine.toml", "back to the preset"},
 };
 
@@ -129,6 +130,8 @@ Command redraw_command() {
           "is the same to the byte. -D and --set are added to what the file was drawn with, other options replace it. "
           "Without -o the drawing goes to NAME-redrawn in the current folder, in the format of FILE; FILE itself is "
           "replaced only when -o names it.\n\n"
+          "--page plans the piece for another page, where pens keep their millimetres; --enlarge scales the finished "
+          "page with all that is on it.\n\n"
           "Data files are read beside FILE or in the current folder. One that is missing is an error; one that has "
           "changed is named, and drawn from.\n\n"
           "Exit codes: 0 done, 2 wrong command line, 3 no record in FILE, or wrong data, 4 too large, 5 cannot be "

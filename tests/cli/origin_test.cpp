@@ -42,6 +42,7 @@ TEST(Origin, HoldsEveryChoiceThatTheOutputDependsOn) {
   request.overrides.page_size = "a3";
   request.overrides.landscape = true;
   request.overrides.margin = "1cm 2cm";
+  request.overrides.enlarge = "a1";
   request.decimals = 2;
   request.paper = true;
   request.all_points = true;
@@ -62,6 +63,7 @@ TEST(Origin, HoldsEveryChoiceThatTheOutputDependsOn) {
   EXPECT_EQ(table["page"].value<std::string>(), "a3");
   EXPECT_EQ(table["landscape"].value<bool>(), true);
   EXPECT_EQ(table["margin"].value<std::string>(), "1cm 2cm");
+  EXPECT_EQ(table["enlarge"].value<std::string>(), "a1");
   EXPECT_EQ(table["format"].value<std::string>(), "svg");
   EXPECT_EQ(table["backend"].value<std::string>(), "native");
   EXPECT_EQ(table["decimals"].value<std::string>(), "2");

@@ -73,6 +73,7 @@ TEST(Redraw, KeepsEveryOptionThatTheFileWasDrawnWith) {
       {"-D", "levels=2", "--seed", "-5"},
       {"--page", "30x40cm", "--landscape", "--margin", "10mm 20mm"},
       {"--set", "page.paper=#d9c5a0", "--set", "layer.curve.opacity=0.5", "--all-points"},
+      {"--enlarge", "a5"},
       {"--only", "curve"},
       {"--skip", "\"Ö\" & <b>\\"},
   };
@@ -113,6 +114,29 @@ TEST(Redraw, ChangesAreThoseOfDraw) {
   expect_equal({"--page", "a3", "--landscape"}, {"-D", "levels=2", "--decimals", "2", "--page", "a3", "--landscape"});
   expect_equal({"--decimals", "4", "--paper"}, {"-D", "levels=2", "--decimals", "4", "--page", "a5", "--paper"});
   expect_equal({"--format", "csv"}, {"-D", "levels=2", "--page", "a5", "--format", "csv"});
+}
+
+TEST(Redraw, EnlargedFilesCanBePlannedAndEnlargedAgain) {
+  const TemporaryFolder folder;
+  folder.write("a.toml", koch_text);
+  const auto drawn = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"-q", "-o", "-"});
+    const Finished run = burin_in(folder, words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.out;
+  };
+  ASSERT_EQ(burin_in(folder, {"draw", "a.toml", "-q", "--page", "a5", "-o", "a5.svg"}).code, 0);
+  ASSERT_EQ(burin_in(folder, {"redraw", "a5.svg", "-q", "--enlarge", "a1", "-o", "a1.svg"}).code, 0);
+  const std::string a1 = folder.read("a1.svg");
+  EXPECT_TRUE(contains(a1, "width=\"594mm\" height=\"841mm\"")) << a1.substr(0, 500);
+  EXPECT_TRUE(a1 == drawn({"draw", "a.toml", "--page", "a5", "--enlarge", "a1"}));
+  EXPECT_TRUE(a1 == drawn({"redraw", "a1.svg"}));
+  EXPECT_TRUE(drawn({"redraw", "a1.svg", "--enlarge", "a4"}) ==
+              drawn({"draw", "a.toml", "--page", "a5", "--enlarge", "a4"}));
+  EXPECT_TRUE(drawn({"redraw", "a1.svg", "--page", "a3"}) == drawn({"draw", "a.toml", "--page", "a3"}));
+  const Finished wrong = burin_in(folder, {"redraw", "a1.svg", "--enlarge", "a44"});
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_TRUE(contains(wrong.err, "--enlarge a44: error: 'a44' is no paper")) << wrong.err;
 }
 
 TEST(Redraw, TheFileItselfIsReplacedOnlyWhenAskedFor) {

@@ -154,6 +154,7 @@ Piece read_piece(Reading& reading, const Overrides& overrides, const ReadFile& r
   piece.about = read_about(root, context);
   context.placeholders = placeholders(piece, set.knobs);
   piece.page = read_page(root, reading.file, context);
+  if (overrides.enlarge) piece.enlarge_onto = read_enlarge(*overrides.enlarge, context);
   piece.pens = read_pens(root, context);
   piece.slots = read_slots(root, context);
   piece.layers = read_layers(root, names, reading.file, piece, context);

@@ -21,6 +21,7 @@ struct Overrides {
   std::optional<std::string> page_size;
   bool landscape = false;
   std::optional<std::string> margin;
+  std::optional<std::string> enlarge;  ///< a page to scale the finished sheet onto, pens and all
 };
 
 /// A preset as text, with the name it goes by in messages.

@@ -219,6 +219,7 @@ struct NamedSlot {
 struct Piece {
   About about;
   PageSpec page;
+  std::optional<PageSize> enlarge_onto;  ///< scale the finished sheet to fit this page
   std::uint64_t seed = 1;
   std::vector<NamedPen> pens;            ///< in file order, at least one
   std::vector<NamedSlot> slots;          ///< in file order

@@ -232,6 +232,11 @@ Result<Plan> Plan::make(Piece piece) {
   }
   if (!problems.empty()) return problems;
   plan.seed_in_values_ = piece.seed_in_values;
+  plan.page_ = sheet->page;
+  if (piece.enlarge_onto) {
+    plan.enlargement_ = enlargement(sheet->page, *piece.enlarge_onto);
+    *sheet = enlarged(*std::move(sheet), *plan.enlargement_);
+  }
   plan.sheet_ = std::move(sheet);
   plan.steps_ = std::move(steps);
   return plan;
@@ -243,7 +248,13 @@ void Plan::set_origin(Origin origin) {
   sheet_ = std::move(sheet);
 }
 
+RunOptions Plan::before_enlarging(RunOptions options) const {
+  if (enlargement_) options.tolerance_mm /= enlargement_->factor;
+  return options;
+}
+
 Forecast Plan::forecast(const RunOptions& options, double enough) const {
+  const RunOptions planned = before_enlarging(options);
   Forecast total{};
   for (std::size_t s = 0; s < steps_->size(); ++s) {
     const Step& step = (*steps_)[s];
@@ -252,7 +263,7 @@ Forecast Plan::forecast(const RunOptions& options, double enough) const {
     if (step.band.value_or(0) > 0) continue;
     for (const Copy& copy : step.placed->slot->copies) {
       const Forecast part = step.placed->layer.family->forecast(
-          step.placed->layer.parameters, step.context(copy, options, sheet_->page), enough - total.points);
+          step.placed->layer.parameters, step.context(copy, planned, page_), enough - total.points);
       total.points += part.points;
       total.asked_points += part.asked_points;
       // Cuts between bands add points of their own.
@@ -292,12 +303,18 @@ Result<Forecast> Plan::check_size(const RunOptions& options, double max_points) 
 }
 
 Flow Plan::run(PathSink& sink, const RunOptions& options) const {
+  if (!enlargement_ || options.space == Space::model) return run_steps(sink, options);
+  Mapped larger(sink, enlargement_->new_from_page);
+  return run_steps(larger, before_enlarging(options));
+}
+
+Flow Plan::run_steps(PathSink& sink, const RunOptions& options) const {
   for (std::size_t s = 0; s < steps_->size(); ++s) {
     if (options.wanted && !options.wanted(sheet_->layers[s])) continue;
     const Step& step = (*steps_)[s];
     const PenChoice pens = step.placed->layer.style.pen;
     for (const Copy& copy : step.placed->slot->copies) {
-      if (step.draw(copy, pens, static_cast<LayerId>(s), sink, options, sheet_->page) == Flow::stop) return Flow::stop;
+      if (step.draw(copy, pens, static_cast<LayerId>(s), sink, options, page_) == Flow::stop) return Flow::stop;
     }
   }
   return Flow::go;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <burin/base/result.hpp>
 #include <burin/path/back_end.hpp>
 #include <burin/path/draw_context.hpp>
+#include <burin/preset/enlargement.hpp>
 #include <burin/preset/piece.hpp>
 
 namespace burin::preset {
@@ -54,7 +56,13 @@ class Plan {
   /// Fits what the layers of a slot draw into it. Pre: a layer draws in this slot.
   static Result<PlacedSlot> place_slot(const Piece& piece, const std::string& name);
 
+  /// The options for the planned page, whose drawing an enlargement makes coarser.
+  RunOptions before_enlarging(RunOptions options) const;
+  Flow run_steps(PathSink& sink, const RunOptions& options) const;
+
   std::shared_ptr<Sheet> sheet_;
+  Page page_;  ///< as planned
+  std::optional<Enlargement> enlargement_;
   std::shared_ptr<const std::vector<Step>> steps_;
   bool seed_in_values_ = false;
 };

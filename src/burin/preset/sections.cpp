@@ -99,6 +99,12 @@ PageSpec read_page(const Table& root, const Where& file, ReadContext& context) {
   return page;
 }
 
+PageSize read_enlarge(const std::string& size, ReadContext& context) {
+  PageSize page;
+  params::ValueType<PageSize>::read({{"--enlarge " + size}, size}, page, context);
+  return page;
+}
+
 std::vector<NamedPen> read_pens(const Table& root, ReadContext& context) {
   std::vector<NamedPen> pens;
   read_named<PenSpec>(root, "pens", "pen", context, [&](const std::string& name, PenSpec pen, const Table* table) {

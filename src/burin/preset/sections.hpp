@@ -14,6 +14,9 @@ About read_about(const params::Table& root, params::ReadContext& context);
 /// `file` if nobody wrote them.
 PageSpec read_page(const params::Table& root, const Where& file, params::ReadContext& context);
 
+/// The page that --enlarge names.
+PageSize read_enlarge(const std::string& size, params::ReadContext& context);
+
 /// In file order; a single black one of 0.3 mm called "ink" when there are none.
 std::vector<NamedPen> read_pens(const params::Table& root, params::ReadContext& context);
 

@@ -34,6 +34,7 @@ constexpr std::array rows{
     RecordRow{"page", "page", RowKind::text},
     RecordRow{"landscape", "landscape", RowKind::flag},
     RecordRow{"margin", "margin", RowKind::text},
+    RecordRow{"enlarge", "enlarge", RowKind::text},
     RecordRow{"format", "format", RowKind::text},
     RecordRow{"backend", "backend", RowKind::text},
     RecordRow{"size", "size", RowKind::text},
