@@ -31,6 +31,7 @@ constexpr std::array option_rows{
     OptionRow{"landscape", 0, "", "turn the page on its side"},
     OptionRow{"enlarge", 0, "SIZE", "scale the finished page to fit this one, up or down: pens and margins too"},
     OptionRow{"margin", 0, "LENGTHS", "one to four lengths, clockwise from the top: \"20mm 15mm\""},
+    OptionRow{"view", 0, "X,Y,WIDTH", "blow up a part of the page: its centre and width in mm; pens keep their widths"},
     OptionRow{"format", 0, "FORMAT", "write this format, whatever the suffix says"},
     OptionRow{"backend", 0, "NAME", "native or cairo; 'burin list formats' shows who writes what"},
     OptionRow{"dpi", 0, "N", "PNG: dots per inch (300)"},
@@ -79,6 +80,29 @@ class Reader {
       return;
     }
     target = *number;
+  }
+
+  void read_view(DrawRequest& request) {
+    const std::optional<std::string> text = arguments_.value("view");
+    if (!text) return;
+    std::vector<double> numbers;
+    for (std::string_view rest = *text; numbers.size() < 4;) {
+      const std::size_t comma = rest.find(',');
+      const std::optional<double> number = parse_number(rest.substr(0, comma));
+      numbers.push_back(number ? *number : std::numeric_limits<double>::quiet_NaN());
+      if (comma == std::string_view::npos) break;
+      rest.remove_prefix(comma + 1);
+    }
+    constexpr double farthest_mm = 1e6;
+    const bool good = numbers.size() == 3 && std::abs(numbers[0]) <= farthest_mm &&
+                      std::abs(numbers[1]) <= farthest_mm && numbers[2] > 0.0 && numbers[2] <= farthest_mm;
+    if (!good) {
+      report("--view must be the centre and the width of a part of the page in mm such as 105,148.5,20, not '{}'",
+             *text);
+      return;
+    }
+    request.view = preset::PageWindow{{numbers[0], numbers[1]}, numbers[2]};
+    request.view_text = *text;
   }
 
   void read_size(DrawRequest& request) {
@@ -227,6 +251,7 @@ Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::str
   reader.number("max-points", 1.0, 1e18, false, request.max_points);
   reader.number("max-memory", 1.0, 1e12, false, request.max_memory_mb);
   reader.read_size(request);
+  reader.read_view(request);
   request.paper = arguments.has("paper");
   request.all_points = arguments.has("all-points");
   request.only = arguments.values("only");

@@ -9,6 +9,7 @@
 #include <burin/burin.hpp>
 #include <burin/path/back_end.hpp>
 #include <burin/preset/load.hpp>
+#include <burin/preset/plan.hpp>
 #include <cli/options.hpp>
 #include <cli/series.hpp>
 
@@ -32,6 +33,8 @@ struct DrawRequest {
   int decimals = 3;
   double dots_per_inch = 300.0;
   std::optional<double> longer_side_px;  ///< instead of dots_per_inch
+  std::optional<preset::PageWindow> view;
+  std::string view_text;  ///< as it was written
   bool paper = false;
   bool all_points = false;
   double max_points = default_max_points;

@@ -54,6 +54,7 @@ Result<std::vector<OutputJob>> make_jobs(const DrawingFor& drawing_for, const Dr
     job.run.wanted = [&request](const SheetLayer& layer) {
       return (request.only.empty() || contains(request.only, layer.name)) && !contains(request.skip, layer.name);
     };
+    job.run.window = request.view;
     job.run.stop = stop;
     const Result<Forecast> forecast = drawing.check_size(job.run, request.max_points);
     if (!forecast) return forecast.problems();

@@ -39,6 +39,7 @@ std::string format_flags(const DrawRequest& request, const BackEnd& back_end) {
                                    : fmt::format("dpi = \"{}\"\n", shortest_text(request.dots_per_inch));
   }
   if (uses_option(back_end, "decimals")) text += fmt::format("decimals = \"{}\"\n", request.decimals);
+  if (request.view && uses_option(back_end, "view")) text += fmt::format("view = {}\n", toml_string(request.view_text));
   if (request.paper && uses_option(back_end, "paper")) text += "paper = true\n";
   if (request.all_points) text += "all-points = true\n";
   if (!request.only.empty()) text += fmt::format("only = {}\n", list_of(request.only));

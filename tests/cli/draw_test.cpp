@@ -102,6 +102,26 @@ TEST(Draw, PageOptionsReachThePage) {
   EXPECT_TRUE(contains(folder.read("koch.svg"), "width=\"210mm\" height=\"148mm\""));
 }
 
+TEST(Draw, AViewBlowsUpAPartOfThePage) {
+  const TemporaryFolder folder;
+  const Names deep{"draw", "koch", "-D", "levels=1000", "--view", "148.5,37.1465,0.02", "--decimals", "1", "-o"};
+  Names words = deep;
+  words.push_back("deep.svg");
+  const Finished run = burin_in(folder, words);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(folder.read("deep.svg"), "<path"));
+  EXPECT_LT(folder.read("deep.svg").size(), 2'000'000U);
+  words.back() = "deep.csv";
+  const Finished csv = burin_in(folder, words);
+  EXPECT_EQ(csv.code, 2);
+  EXPECT_TRUE(contains(csv.err, "--view")) << csv.err;
+  for (const char* wrong : {"", "1", "1,2", "1,2,3,4", "1,2,0", "1,2,-1", "nan,2,3", "1,2,inf", "a,b,c", "1,2,3mm"}) {
+    const Finished bad = burin_in(folder, {"draw", "koch", "--view", wrong});
+    EXPECT_EQ(bad.code, 2) << wrong;
+    EXPECT_TRUE(contains(bad.err, "--view must be")) << bad.err;
+  }
+}
+
 TEST(Draw, SeedsAreWholeNumbersOrRandom) {
   const TemporaryFolder folder;
   EXPECT_TRUE(contains(burin_in(folder, {"draw", "koch", "--seed", "-3"}).out, "seed  18446744073709551613"));

@@ -72,6 +72,7 @@ TEST(Redraw, KeepsEveryOptionThatTheFileWasDrawnWith) {
       {},
       {"-D", "levels=2", "--seed", "-5"},
       {"--page", "30x40cm", "--landscape", "--margin", "10mm 20mm"},
+      {"--view", "90,80,12.5"},
       {"--set", "page.paper=#d9c5a0", "--set", "layer.curve.opacity=0.5", "--all-points"},
       {"--enlarge", "a5"},
       {"--only", "curve"},

@@ -20,6 +20,8 @@ struct View {
 struct DrawContext {
   std::uint64_t seed = 0;
   View view{};
+  Vec2 origin{};             ///< points are emitted, and view.box counted, from here: a deep zoom puts it into what it
+                             ///< shows, where numbers are finest
   double mm_per_unit = 1.0;  ///< millimetres of the page in one model unit
   std::stop_token stop{};
   const Executor* executor = nullptr;  ///< null: serial

@@ -28,10 +28,18 @@ double angle_degrees(Vec2 v) {
 }  // namespace
 
 PenBand::PenBand(PathSink& next, const PenChoice& choice, std::size_t band, const Copy& copy, const SlotFrame& frame,
-                 std::uint64_t seed)
-    : Decorator(next), choice_(choice), band_(band), copy_(copy), frame_(frame), seed_(seed), buffer_(next) {}
+                 const DrawContext& context)
+    : Decorator(next),
+      choice_(choice),
+      band_(band),
+      copy_(copy),
+      frame_(frame),
+      seed_(context.seed),
+      origin_(context.origin),
+      buffer_(next) {}
 
-bool PenBand::inside(Vec2 point, Vec2 direction) {
+bool PenBand::inside(Vec2 from_origin, Vec2 direction) {
+  const Vec2 point = origin_ + from_origin;
   const Vec2 p = copy_.slot_from_model(point);
   std::array<double, band_variables.size()> values{};
   // In the order of band_variables; angles cost most and are seldom asked for.

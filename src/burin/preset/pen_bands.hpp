@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <burin/curves/point_buffer.hpp>
 #include <burin/path/decorators.hpp>
+#include <burin/path/draw_context.hpp>
+#include <burin/path/point_buffer.hpp>
 #include <burin/preset/piece.hpp>
 #include <burin/preset/slot_layout.hpp>
 
@@ -15,9 +16,9 @@ namespace burin::preset {
 /// in model units. O(1) memory.
 class PenBand final : public Decorator {
  public:
-  /// `choice` must outlive the sink; `seed` is the copy's.
+  /// `choice` must outlive the sink; `context` is what the generator draws the copy under.
   PenBand(PathSink& next, const PenChoice& choice, std::size_t band, const Copy& copy, const SlotFrame& frame,
-          std::uint64_t seed);
+          const DrawContext& context);
 
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
@@ -30,14 +31,15 @@ class PenBand final : public Decorator {
   Flow finish_contour();
   Flow draw_to(Vec2 from, Vec2 to);
   Flow lift();
-  bool inside(Vec2 point, Vec2 direction);
+  bool inside(Vec2 from_origin, Vec2 direction);
 
   const PenChoice& choice_;
   std::size_t band_;
   Copy copy_;
   SlotFrame frame_;
   std::uint64_t seed_;
-  curves::PointBuffer buffer_;
+  Vec2 origin_;
+  PointBuffer buffer_;
 
   PathHead head_{};
   std::uint64_t edge_index_ = 0;

@@ -8,6 +8,7 @@
 
 #include <burin/base/number_text.hpp>
 #include <burin/base/random.hpp>
+#include <burin/passes/crop.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/preset/pen_bands.hpp>
 #include <burin/preset/plan.hpp>
@@ -37,6 +38,12 @@ struct Plan::Step {
   std::optional<std::size_t> band;  ///< of the layer's pens; nothing: all of it
   std::uint64_t piece_seed = 0;
 
+  /// Where a copy lies on the page, its points counted from `origin` in model units.
+  struct Placement {
+    Vec2 origin;
+    Affine2 page_from_model;
+  };
+  Placement placement(const Copy& copy, const RunOptions& options, const Page& page) const;
   DrawContext context(const Copy& copy, const RunOptions& options, const Page& page) const;
   /// `pens` is the layer's own choice, copied for this run: expressions are not shared between threads.
   Flow draw(const Copy& copy, const PenChoice& pens, LayerId layer, PathSink& sink, const RunOptions& options,
@@ -104,6 +111,11 @@ SheetLayer sheet_layer(const Piece& piece, const LayerStyle& style, const std::s
   return layer;
 }
 
+/// What the page shows, bleed and all.
+Box2 with_bleed(const Page& page) {
+  return Box2{{0.0, 0.0}, {page.width_mm, page.height_mm}}.grown(page.bleed_mm);
+}
+
 /// Most points a curve is run through before its size is known.
 constexpr double most_points_unbounded = 5e7;
 
@@ -131,13 +143,24 @@ std::uint64_t Plan::Placed::seed_of(const Copy& copy, std::uint64_t piece_seed) 
   return layer_seed(layer, piece_seed, copy.cell);
 }
 
+Plan::Step::Placement Plan::Step::placement(const Copy& copy, const RunOptions& options, const Page& page) const {
+  if (options.space == Space::model) return {{}, copy.model_from_model};
+  const Affine2 page_from_model = placed->slot->frame.page_from_slot() * copy.slot_from_model;
+  if (!options.window) return {{}, page_from_model};
+  // The window's centre is the origin, so that a deep zoom subtracts nothing large from anything large.
+  const double zoom = page.width_mm / options.window->width_mm;
+  const Affine2 m = page_from_model;
+  return {inverse(page_from_model)(options.window->center_mm),
+          {zoom * m.a, zoom * m.b, zoom * m.c, zoom * m.d, 0.5 * page.width_mm, 0.5 * page.height_mm}};
+}
+
 DrawContext Plan::Step::context(const Copy& copy, const RunOptions& options, const Page& page) const {
   DrawContext context{.seed = placed->seed_of(copy, piece_seed), .stop = options.stop, .executor = options.executor};
-  const Affine2 page_from_model = placed->slot->frame.page_from_slot() * copy.slot_from_model;
-  context.mm_per_unit = page_from_model.scale();
+  const Placement place = placement(copy, options, page);
+  context.origin = place.origin;
+  context.mm_per_unit = options.space == Space::page ? place.page_from_model.scale() : copy.slot_from_model.scale();
   if (options.tolerance_mm > 0.0 && options.space == Space::page) {
-    const Box2 sheet{{-page.bleed_mm, -page.bleed_mm}, {page.width_mm + page.bleed_mm, page.height_mm + page.bleed_mm}};
-    context.view.box = image_box(inverse(page_from_model), sheet.grown(placed->extent_mm));
+    context.view.box = image_box(inverse(place.page_from_model), with_bleed(page).grown(placed->extent_mm));
     context.view.tolerance = options.tolerance_mm / context.mm_per_unit;
   }
   return context;
@@ -145,14 +168,15 @@ DrawContext Plan::Step::context(const Copy& copy, const RunOptions& options, con
 
 Flow Plan::Step::draw(const Copy& copy, const PenChoice& pens, LayerId layer, PathSink& sink, const RunOptions& options,
                       const Page& page) const {
-  // From the generator: its band of the pen, the page, this layer's name on every path.
+  // From the generator: its band of the pen, the page, this layer's name on every path, the window.
   const DrawContext drawn = context(copy, options, page);
-  Painted painted(sink, layer, paint);
-  Mapped mapped(painted, options.space == Space::page ? placed->slot->frame.page_from_slot() * copy.slot_from_model
-                                                      : copy.model_from_model);
+  std::optional<passes::Crop> crop;
+  if (options.window && options.space == Space::page) crop.emplace(sink, with_bleed(page).grown(placed->extent_mm));
+  Painted painted(crop ? static_cast<PathSink&>(*crop) : sink, layer, paint);
+  Mapped mapped(painted, placement(copy, options, page).page_from_model);
   Stoppable stoppable(mapped, options.stop);
   if (!band) return placed->layer.family->draw(placed->layer.parameters, drawn, stoppable);
-  PenBand banded(stoppable, pens, *band, copy, placed->slot->frame, drawn.seed);
+  PenBand banded(stoppable, pens, *band, copy, placed->slot->frame, drawn);
   return placed->layer.family->draw(placed->layer.parameters, drawn, banded);
 }
 
@@ -249,7 +273,12 @@ void Plan::set_origin(Origin origin) {
 }
 
 RunOptions Plan::before_enlarging(RunOptions options) const {
-  if (enlargement_) options.tolerance_mm /= enlargement_->factor;
+  if (!enlargement_) return options;
+  options.tolerance_mm /= enlargement_->factor;
+  if (options.window) {
+    options.window = PageWindow{inverse(enlargement_->new_from_page)(options.window->center_mm),
+                                options.window->width_mm / enlargement_->factor};
+  }
   return options;
 }
 

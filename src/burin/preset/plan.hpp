@@ -10,12 +10,19 @@
 
 #include <burin/base/executor.hpp>
 #include <burin/base/result.hpp>
+#include <burin/geom/vec2.hpp>
 #include <burin/path/back_end.hpp>
 #include <burin/path/draw_context.hpp>
 #include <burin/preset/enlargement.hpp>
 #include <burin/preset/piece.hpp>
 
 namespace burin::preset {
+
+/// A part of the page that is blown up to fill it, with the page's own proportions. Pens keep their widths.
+struct PageWindow {
+  Vec2 center_mm;         ///< on the page, y down
+  double width_mm = 0.0;  ///< above 0
+};
 
 /// How a plan is run, once for each output.
 struct RunOptions {
@@ -24,6 +31,7 @@ struct RunOptions {
   std::function<bool(const SheetLayer&)> wanted{};  ///< null: every layer
   std::stop_token stop{};
   const Executor* executor = nullptr;
+  std::optional<PageWindow> window{};  ///< of the page space; nothing: the page as it is
 };
 
 /// A piece fitted to its page and ready to be drawn, as often as one likes: each run replays the generators into a

@@ -40,6 +40,7 @@ constexpr std::array rows{
     RecordRow{"size", "size", RowKind::text},
     RecordRow{"dpi", "dpi", RowKind::text},
     RecordRow{"decimals", "decimals", RowKind::text},
+    RecordRow{"view", "view", RowKind::text},
     RecordRow{"paper", "paper", RowKind::flag},
     RecordRow{"all-points", "all-points", RowKind::flag},
     RecordRow{"only", "only", RowKind::list},

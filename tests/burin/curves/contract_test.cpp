@@ -73,6 +73,12 @@ TEST(FamilyContract, EveryFamilyKeepsItForEveryCase) {
         EXPECT_NEAR(box->low.y, drawn.low.y, 1e-12 * size);
         EXPECT_NEAR(box->high.x, drawn.high.x, 1e-12 * size);
         EXPECT_NEAR(box->high.y, drawn.high.y, 1e-12 * size);
+        const Vec2 origin{0.75, -2.5};
+        const Recording moved = testing::record(family.name, *read.params, {.seed = seed, .origin = origin});
+        ASSERT_EQ(moved.all_points().size(), first.all_points().size());
+        for (std::size_t i = 0; i < moved.all_points().size(); ++i) {
+          EXPECT_LT(distance(moved.all_points()[i] + origin, first.all_points()[i]), 1e-12 * size);
+        }
         if (!family.uses_seed(*read.params)) {
           EXPECT_EQ(first.all_points(), testing::record(family.name, *read.params, {.seed = seed + 1}).all_points());
         }

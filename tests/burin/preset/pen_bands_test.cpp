@@ -23,7 +23,7 @@ Recording band(const PenChoice& pens, std::size_t which, const std::vector<Vec2>
                const Copy& copy = {}, std::uint64_t seed = 0) {
   Recorder recorder;
   Checked checked(recorder);
-  PenBand filter(checked, pens, which, copy, frame, seed);
+  PenBand filter(checked, pens, which, copy, frame, {.seed = seed});
   EXPECT_EQ(filter.begin({.closed = closed}), Flow::go);
   EXPECT_EQ(filter.points(points), Flow::go);
   EXPECT_EQ(filter.end(), Flow::go);

@@ -39,7 +39,7 @@ double share_before_origin(TextAlign align) {
 
 }  // namespace
 
-Layout::Layout(const TextParams& params) : shear_(math::tan_degrees(params.slant)) {
+Layout::Layout(const TextParams& params, Vec2 origin) : shear_(math::tan_degrees(params.slant)) {
   const auto glyph = [&](char32_t character) -> const Glyph& {
     const auto found = glyphs_.find(character);
     if (found != glyphs_.end()) return found->second;
@@ -69,6 +69,7 @@ Layout::Layout(const TextParams& params) : shear_(math::tan_degrees(params.slant
     pen.x += letter.advance / units_per_cap + params.tracking;
   }
   end_line();
+  for (Letter& letter : letters_) letter.at = letter.at - origin;
 }
 
 }  // namespace burin::curves::lettering

@@ -13,8 +13,9 @@ namespace burin::curves::lettering {
 /// Text set in lines: which glyph stands where. Model units: a capital is 1 high, the first baseline is y = 0.
 class Layout {
  public:
-  /// Characters without a glyph become a hollow box, as do bytes that are not UTF-8. O(characters).
-  explicit Layout(const TextParams& params);
+  /// Characters without a glyph become a hollow box, as do bytes that are not UTF-8. Places count from `origin`.
+  /// O(characters).
+  explicit Layout(const TextParams& params, Vec2 origin = {});
 
   struct Letter {
     const Glyph* glyph = nullptr;

@@ -38,10 +38,10 @@ Flow draw_letter(const Layout& layout, const Layout::Letter& letter, const PathH
   return Flow::go;
 }
 
-Flow draw_seen(const TextParams& params, const View& view, const PathHead& head, PathSink& sink) {
-  const Layout layout(params);
+Flow draw_seen(const TextParams& params, const DrawContext& context, const PathHead& head, PathSink& sink) {
+  const Layout layout(params, context.origin);
   for (const Layout::Letter& letter : layout.letters()) {
-    if (is_seen(layout, letter, view) && draw_letter(layout, letter, head, sink) == Flow::stop) return Flow::stop;
+    if (is_seen(layout, letter, context.view) && draw_letter(layout, letter, head, sink) == Flow::stop) return Flow::stop;
   }
   return Flow::go;
 }
@@ -62,7 +62,7 @@ struct TextFamily {
 
   static Forecast forecast(const Params& params, const DrawContext& context, double) {
     Forecast forecast;
-    const Layout layout(params);
+    const Layout layout(params, context.origin);
     for (const Layout::Letter& letter : layout.letters()) {
       const auto points = static_cast<double>(letter.glyph->point_count());
       forecast.asked_points += points;
@@ -72,7 +72,7 @@ struct TextFamily {
   }
 
   static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
-    return draw_seen(params, context.view, {}, sink);
+    return draw_seen(params, context, {}, sink);
   }
 
   static bool uses_seed(const Params&) { return false; }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include <burin/curves/point_buffer.hpp>
+#include <burin/path/point_buffer.hpp>
 #include <burin/path/path_sink.hpp>
 
 /// What a trace of the curve does with the points it finds: two answers to the same calls, so that a forecast walks the

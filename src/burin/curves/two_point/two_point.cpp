@@ -58,6 +58,16 @@ View usable_view(const View& view, const Engine& engine) {
   return std::isfinite(reach) ? view : View{};
 }
 
+/// The base as seen from the context's origin. What is near the origin is then refined in small numbers, so that a
+/// vertex is rounded to a fraction of its distance from there.
+std::vector<Polyline> seen_from(Vec2 origin, const std::vector<Polyline>& base) {
+  std::vector<Polyline> seen = base;
+  for (Polyline& polyline : seen) {
+    for (Vec2& point : polyline.points) point = point - origin;
+  }
+  return seen;
+}
+
 /// The points of S_m on one edge, its first not counted; infinite when it passes the range of numbers.
 double points_per_edge(const Motif& motif, int levels) {
   double points = 1.0;
@@ -115,7 +125,7 @@ struct TwoPointFamily {
     if (!view.is_limited()) return {asked, asked, true};
     PointCounter counter(enough);
     std::uint64_t first_edge = 0;
-    for (const Polyline& polyline : params.base.polylines) {
+    for (const Polyline& polyline : seen_from(context.origin, params.base.polylines)) {
       if (!polyline.closed && counter.point(polyline.points.front()) == Flow::stop)
         return {counter.count(), asked, false};
       if (trace_polyline(polyline, first_edge, params.levels, view, engine, counter) == Flow::stop) {
@@ -147,11 +157,14 @@ struct TwoPointFamily {
   }
 
   static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
-    if (params.motif.join) return draw_joins(params, sink);
+    if (params.motif.join) {
+      Mapped moved(sink, translation(-context.origin));
+      return draw_joins(params, moved);
+    }
     const Engine engine = engine_for(params, context.seed);
     const View view = usable_view(context.view, engine);
     std::uint64_t first_edge = 0;
-    for (const Polyline& polyline : params.base.polylines) {
+    for (const Polyline& polyline : seen_from(context.origin, params.base.polylines)) {
       const auto level = static_cast<std::uint16_t>(params.levels);
       if (sink.begin({.closed = polyline.closed, .level = level}) == Flow::stop) return Flow::stop;
       PointEmitter emitter(sink);

@@ -6,7 +6,7 @@
 
 #include <burin/path/path_sink.hpp>
 
-namespace burin::curves {
+namespace burin {
 
 /// Collects the points of one contour into spans of about 1000 for a sink. The last point stays in the buffer until the
 /// contour ends, so that a closed curve can take back its repeated first point.
@@ -52,4 +52,4 @@ class PointBuffer {
   std::array<Vec2, capacity> points_;
 };
 
-}  // namespace burin::curves
+}  // namespace burin
