@@ -112,7 +112,8 @@ TEST(Layer, NeedsACurve) {
   EXPECT_EQ(complaint(""), "p.toml:4:1: error: layer 'layer' draws nothing; give it a 'curve' or a 'text'\n");
   EXPECT_EQ(complaint("curve = 3"),
             "p.toml:5:9: error: expected the name of a define or a table with 'family', found a whole number\n");
-  EXPECT_EQ(complaint("curve = { levels = 3 }"), "p.toml:5:9: error: a curve needs a 'family'; known: two-point, text\n");
+  EXPECT_EQ(complaint("curve = { levels = 3 }"),
+            "p.toml:5:9: error: a curve needs a 'family'; known: two-point, text\n");
   EXPECT_EQ(complaint("curve = { family = 'two-pint' }"),
             "p.toml:5:21: error: no family 'two-pint'; did you mean 'two-point'?\n");
   EXPECT_EQ(complaint("curve = { family = 3 }"),

@@ -41,7 +41,8 @@ Flow draw_letter(const Layout& layout, const Layout::Letter& letter, const PathH
 Flow draw_seen(const TextParams& params, const DrawContext& context, const PathHead& head, PathSink& sink) {
   const Layout layout(params, context.origin);
   for (const Layout::Letter& letter : layout.letters()) {
-    if (is_seen(layout, letter, context.view) && draw_letter(layout, letter, head, sink) == Flow::stop) return Flow::stop;
+    if (is_seen(layout, letter, context.view) && draw_letter(layout, letter, head, sink) == Flow::stop)
+      return Flow::stop;
   }
   return Flow::go;
 }

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <span>
 
-#include <burin/path/point_buffer.hpp>
 #include <burin/path/path_sink.hpp>
+#include <burin/path/point_buffer.hpp>
 
 /// What a trace of the curve does with the points it finds: two answers to the same calls, so that a forecast walks the
 /// very tree that the drawing will.
