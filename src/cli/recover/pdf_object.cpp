@@ -35,8 +35,8 @@ std::optional<unsigned> hexadecimal_digit(char c) {
 
 const PdfObject* PdfDictionary::find(std::string_view key) const {
   const auto found =
-      std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == key; });
-  return found == entries.end() ? nullptr : &found->second;
+      std::find_if(entries.begin(), entries.end(), [&](const PdfEntry& entry) { return entry.key == key; });
+  return found == entries.end() ? nullptr : &found->value;
 }
 
 std::optional<std::uint64_t> PdfObject::as_count() const {
@@ -127,7 +127,7 @@ std::optional<PdfObject> PdfLexer::dictionary(int depth) {
     std::string key = name();
     std::optional<PdfObject> value = object(depth + 1);
     if (!value) return std::nullopt;
-    dictionary.entries.emplace_back(std::move(key), *std::move(value));
+    dictionary.entries.push_back({std::move(key), *std::move(value)});
   }
 }
 

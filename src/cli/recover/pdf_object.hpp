@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace burin::cli {
 
 struct PdfObject;
+struct PdfEntry;
 
 struct PdfName {
   std::string name;
@@ -23,7 +23,7 @@ struct PdfReference {
 using PdfArray = std::vector<PdfObject>;
 /// Keys as they come; the first of a name counts.
 struct PdfDictionary {
-  std::vector<std::pair<std::string, PdfObject>> entries;
+  std::vector<PdfEntry> entries;
 
   const PdfObject* find(std::string_view key) const;
 };
@@ -38,6 +38,11 @@ struct PdfObject {
   }
   /// The number as a count or an offset; nothing when it is no whole number from 0 to 2^53.
   std::optional<std::uint64_t> as_count() const;
+};
+
+struct PdfEntry {
+  std::string key;
+  PdfObject value;
 };
 
 /// Takes a text of PDF syntax apart, from left to right.
