@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include <burin/base/number_text.hpp>
 #include <cli/recover/pdf_object.hpp>
