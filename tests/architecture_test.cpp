@@ -26,21 +26,16 @@ const std::vector<Room> rooms{
     {"scene", {"path", "params", "expr", "data"}},
     {"forms", {"scene"}},
     {"output", {"path"}},
-    {"output_cairo", {"path"}},
+    {"output_cairo", {"output"}},
     {"preset", {"curves", "primitives", "passes", "measure", "forms"}},
     {"burin", {"preset", "output"}},  // src/burin/burin.hpp, the front door
     {"cli", {"burin", "output_cairo"}},
 };
 
 const std::vector<Library> third_parties{
-    {"toml++/", "src/burin/preset/"},
-    {"muParser", "src/burin/expr/"},
-    {"cairo", "src/burin/output_cairo/", false},
-    {"png.h", "src/burin/output_cairo/"},
-    {"boost/", "src/cli/"},
-    {"libdeflate.h", "src/burin/output/"},
-    {"oneapi/", "src/cli/"},
-    {"zlib.h", "src/cli/recover/"},
+    {"toml++/", "src/burin/preset/"}, {"muParser", "src/burin/expr/"}, {"cairo", "src/burin/output_cairo/", false},
+    {"png.h", "src/burin/output/"},   {"stb/", "src/burin/output/"},   {"libdeflate.h", "src/burin/output/"},
+    {"boost/", "src/cli/"},           {"oneapi/", "src/cli/"},         {"zlib.h", "src/cli/recover/"},
 };
 
 constexpr int max_lines = 500;

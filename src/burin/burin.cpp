@@ -32,7 +32,8 @@ Result<Done> write(const preset::Plan& plan, const BackEnd& back_end, ByteSink& 
     return fits;
   const std::unique_ptr<OutputSink> sink = back_end.open(bytes, plan.sheet(), options);
   // Only the sink itself can stop this run; finish() then says why.
-  static_cast<void>(plan.run(*sink, run));
+  static_cast<void>(preset::run_for(
+      *sink, [&](const preset::RunOptions& part) { return plan.run(*sink, part); }, run));
   return sink->finish();
 }
 

@@ -155,6 +155,7 @@ preset::RunOptions ContactSheet::cell_options(const preset::RunOptions& options)
   preset::RunOptions of_cell = options;
   of_cell.space = Space::page;
   of_cell.tolerance_mm = options.tolerance_mm / layout_.grid.scale;
+  of_cell.part_mm = Box2::everything();  // that of the whole sheet says nothing about a cell
   return of_cell;
 }
 

@@ -15,7 +15,8 @@ Result<OutputCounts> draw_output(const OutputJob& job, AtomicFile& file, bool li
   {
     Progress progress(counted, live && !file.is_terminal(), job.path, job.forecast.points);
     // A sink that cannot write ends the run too; its reason is the file's, and finish() or commit() tells it.
-    static_cast<void>(job.drawing->run(progress, job.run));
+    const auto run = [&](const preset::RunOptions& options) { return job.drawing->run(progress, options); };
+    static_cast<void>(preset::run_for(*sink, run, job.run));
   }
   if (!job.run.stop.stop_requested() && !file.failed()) {
     if (const Result<Done> finished = sink->finish(); !finished && !file.failed()) return finished.problems();

@@ -49,6 +49,12 @@ struct Box2 {
   constexpr Box2 grown(double by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
 };
 
+/// What lies in both; may be empty.
+constexpr Box2 intersection(const Box2& a, const Box2& b) {
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y)}};
+}
+
 /// The smallest box around the image of `box`.
 constexpr Box2 image_box(const Affine2& map, const Box2& box) {
   Box2 image;

@@ -6,7 +6,7 @@
 
 namespace burin::output {
 
-/// The back ends of the core, in the order of preference: native svg, pdf, csv, dump.
+/// The back ends of the core, in the order of preference: native svg, pdf, png, csv, dump.
 std::span<const BackEnd> back_ends();
 
 }  // namespace burin::output

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include <burin/base/check.hpp>
+#include <burin/geom/clip.hpp>
 #include <burin/output_cairo/canvas.hpp>
-#include <burin/output_cairo/clip.hpp>
 
 namespace burin::output_cairo {
 

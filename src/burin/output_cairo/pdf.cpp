@@ -8,7 +8,7 @@
 
 #include <burin/base/number_text.hpp>
 #include <burin/base/units.hpp>
-#include <burin/output_cairo/origin_text.hpp>
+#include <burin/output/origin_text.hpp>
 #include <burin/output_cairo/page_sink.hpp>
 #include <burin/output_cairo/pdf.hpp>
 
@@ -37,7 +37,7 @@ class PdfSink final : public PageSink {
 
 void set_metadata(cairo_surface_t* surface, const Origin& origin) {
   const auto set = [&](cairo_pdf_metadata_t field, const std::string& text) {
-    if (!text.empty()) cairo_pdf_surface_set_metadata(surface, field, carried_text(text).c_str());
+    if (!text.empty()) cairo_pdf_surface_set_metadata(surface, field, output::carried_text(text).c_str());
   };
   set(CAIRO_PDF_METADATA_TITLE, origin.title);
   set(CAIRO_PDF_METADATA_AUTHOR, origin.author);

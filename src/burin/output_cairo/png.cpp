@@ -1,15 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
+#include <burin/output/png_picture.hpp>
+#include <burin/output/png_rows.hpp>
 #include <burin/output_cairo/page_sink.hpp>
 #include <burin/output_cairo/png.hpp>
-#include <burin/output_cairo/png_file.hpp>
 
 namespace burin::output_cairo {
 
@@ -18,29 +20,16 @@ namespace {
 /// Cairo's image surfaces end here.
 constexpr double most_pixels = 32767.0;
 
-/// Whole pixels for a length, at least one.
-double pixel_count(double length_mm, const OutputOptions& options) {
-  return std::max(1.0, std::floor(length_mm * options.dots_per_mm + 0.5));
-}
-
-bool all_grey(const Sheet& sheet) {
-  const auto is_grey = [](Colour c) { return c.red == c.green && c.green == c.blue; };
-  return is_grey(sheet.page.paper) &&
-         std::all_of(sheet.pens.begin(), sheet.pens.end(), [&](const Pen& pen) { return is_grey(pen.colour); });
-}
-
-std::uint32_t dots_per_metre(const OutputOptions& options) {
-  return static_cast<std::uint32_t>(std::clamp(std::floor(options.dots_per_mm * 1000.0 + 0.5), 1.0, 2147483647.0));
-}
-
-std::vector<PngText> texts(const Origin& origin) {
-  std::vector<PngText> texts = {{"Title", origin.title},
-                                {"Author", origin.author},
-                                {"Description", origin.summary},
-                                {"Software", "burin"},
-                                {"burin-origin", origin.record}};
-  std::erase_if(texts, [](const PngText& text) { return text.text.empty(); });
-  return texts;
+/// Red, green and blue, or the grey they share, of one row of CAIRO_FORMAT_RGB24: a native 0xXXRRGGBB each.
+void pack_row(const unsigned char* pixels, const output::PngHead& head, std::uint8_t* byte) {
+  const auto* pixel = reinterpret_cast<const std::uint32_t*>(pixels);
+  for (std::uint32_t x = 0; x < head.width; ++x, ++pixel) {
+    if (head.pixels == output::PngPixels::rgb) {
+      *byte++ = static_cast<std::uint8_t>(*pixel >> 16U & 0xFFU);
+      *byte++ = static_cast<std::uint8_t>(*pixel >> 8U & 0xFFU);
+    }
+    *byte++ = static_cast<std::uint8_t>(*pixel & 0xFFU);
+  }
 }
 
 /// In pixels. Thousands of points within a pixel would be stroked in many pieces, and where these lie over each other
@@ -52,24 +41,29 @@ class PngSink final : public PageSink {
   PngSink(std::shared_ptr<ByteStream> stream, Surface surface, const Sheet& sheet, const OutputOptions& options)
       : PageSink("PNG", std::move(stream), std::move(surface), sheet, {options.dots_per_mm, grain}),
         sheet_(sheet),
-        dots_per_metre_(dots_per_metre(options)) {}
+        dots_per_mm_(options.dots_per_mm) {}
 
  private:
   bool close_document() override {
     cairo_surface_flush(surface());
-    PngPicture picture;
-    picture.width = static_cast<std::uint32_t>(cairo_image_surface_get_width(surface()));
-    picture.height = static_cast<std::uint32_t>(cairo_image_surface_get_height(surface()));
-    picture.grey = all_grey(sheet_);
-    picture.rows = cairo_image_surface_get_data(surface());
-    picture.bytes_per_row = static_cast<std::size_t>(cairo_image_surface_get_stride(surface()));
-    picture.dots_per_metre = dots_per_metre_;
-    picture.texts = texts(sheet_.made_by);
-    return write_png(picture, stream());
+    output::PngHead head;
+    head.width = static_cast<std::uint32_t>(cairo_image_surface_get_width(surface()));
+    head.height = static_cast<std::uint32_t>(cairo_image_surface_get_height(surface()));
+    head.pixels = output::all_grey(sheet_) ? output::PngPixels::grey : output::PngPixels::rgb;
+    head.chunks = output::png_chunks(sheet_.made_by, dots_per_mm_);
+    output::PngRows rows(head, [this](std::string_view bytes) { return stream().write(bytes); });
+    std::vector<std::uint8_t> row(head.bytes_per_row());
+    const unsigned char* pixels = cairo_image_surface_get_data(surface());
+    for (std::uint32_t y = 0; y < head.height; ++y) {
+      pack_row(pixels, head, row.data());
+      rows.add(row.data());
+      pixels += cairo_image_surface_get_stride(surface());
+    }
+    return rows.finish();
   }
 
   const Sheet& sheet_;
-  std::uint32_t dots_per_metre_;
+  double dots_per_mm_;
 };
 
 /// Half a pixel would hide the shapes, but a crinkled line loses two percent of its ink with them.
@@ -78,8 +72,7 @@ double tolerance_mm(const OutputOptions& options) {
 }
 
 Result<Done> accepts(const Sheet& sheet, const OutputOptions& options) {
-  const double width = pixel_count(sheet.page.width_mm, options);
-  const double height = pixel_count(sheet.page.height_mm, options);
+  const auto [width, height] = output::png_size(sheet.page, options.dots_per_mm);
   if (std::max(width, height) <= most_pixels) return Done{};
   return Problem{
       {},
@@ -90,9 +83,8 @@ Result<Done> accepts(const Sheet& sheet, const OutputOptions& options) {
 }
 
 std::unique_ptr<OutputSink> open(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options) {
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                             static_cast<int>(pixel_count(sheet.page.width_mm, options)),
-                                             static_cast<int>(pixel_count(sheet.page.height_mm, options))));
+  const auto [width, height] = output::png_size(sheet.page, options.dots_per_mm);
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
   auto sink = std::make_unique<PngSink>(std::make_shared<ByteStream>(bytes), std::move(surface), sheet, options);
   sink->paint_paper();
   return sink;
@@ -100,10 +92,10 @@ std::unique_ptr<OutputSink> open(ByteSink& bytes, const Sheet& sheet, const Outp
 
 /// Four bytes a pixel, and as much again for the group of a layer that lets others shine through.
 double memory_bytes(double, const Sheet& sheet, const OutputOptions& options) {
-  const double pixels = pixel_count(sheet.page.width_mm, options) * pixel_count(sheet.page.height_mm, options);
+  const auto [width, height] = output::png_size(sheet.page, options.dots_per_mm);
   const bool has_group = std::any_of(sheet.layers.begin(), sheet.layers.end(),
                                      [](const SheetLayer& layer) { return layer.opacity < 1.0; });
-  return 4e6 + (has_group ? 8.0 : 4.0) * pixels;
+  return 4e6 + (has_group ? 8.0 : 4.0) * width * height;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <burin/output_cairo/clip.hpp>
+#include <burin/geom/clip.hpp>
 #include <burin/output_cairo/stroker.hpp>
 
 namespace burin::output_cairo {

@@ -29,9 +29,16 @@ struct OutputOptions {
 /// A path sink that ends in a ByteSink.
 class OutputSink : public PathSink {
  public:
-  /// Writes what is still pending and reports write errors, which are kept until here. Call once, after the last path;
+  /// Writes what is still pending and reports write errors, which are kept until here. Call once, after the last run;
   /// not after a Flow::stop that did not come from this sink: the output is then incomplete.
   virtual Result<Done> finish() = 0;
+
+  /// What the next run is for, in page millimetres: outlines that do not come near it may be left out.
+  virtual Box2 wanted_part_mm() const { return Box2::everything(); }
+
+  /// Call after each run. True: only a part of the page has been drawn, and the same drawing is wanted again for the
+  /// next one.
+  virtual bool wants_another_run() { return false; }
 
   /// Points that were left out since they round onto their predecessor.
   virtual std::uint64_t skipped_points() const { return 0; }

@@ -160,7 +160,10 @@ DrawContext Plan::Step::context(const Copy& copy, const RunOptions& options, con
   context.origin = place.origin;
   context.mm_per_unit = options.space == Space::page ? place.page_from_model.scale() : copy.slot_from_model.scale();
   if (options.tolerance_mm > 0.0 && options.space == Space::page) {
-    context.view.box = image_box(inverse(place.page_from_model), with_bleed(page).grown(placed->extent_mm));
+    Box2 seen = with_bleed(page);
+    // Dashes go on from what is left out, which therefore must be the same for every part.
+    if (placed->layer.style.dashes.empty()) seen = intersection(seen, options.part_mm);
+    context.view.box = image_box(inverse(place.page_from_model), seen.grown(placed->extent_mm));
     context.view.tolerance = options.tolerance_mm / context.mm_per_unit;
   }
   return context;
@@ -346,6 +349,14 @@ Flow Plan::run_steps(PathSink& sink, const RunOptions& options) const {
       if (step.draw(copy, pens, static_cast<LayerId>(s), sink, options, page_) == Flow::stop) return Flow::stop;
     }
   }
+  return Flow::go;
+}
+
+Flow run_for(OutputSink& sink, const std::function<Flow(const RunOptions&)>& run, RunOptions options) {
+  do {
+    options.part_mm = sink.wanted_part_mm();
+    if (run(options) == Flow::stop) return Flow::stop;
+  } while (sink.wants_another_run());
   return Flow::go;
 }
 

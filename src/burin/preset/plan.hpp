@@ -28,6 +28,7 @@ struct PageWindow {
 struct RunOptions {
   Space space = Space::page;
   double tolerance_mm = 0.0;                        ///< what the output can show; 0: every point
+  Box2 part_mm = Box2::everything();                ///< of the page; what does not come near it may be left out
   std::function<bool(const SheetLayer&)> wanted{};  ///< null: every layer
   std::stop_token stop{};
   const Executor* executor = nullptr;
@@ -74,5 +75,8 @@ class Plan {
   std::shared_ptr<const std::vector<Step>> steps_;
   bool seed_in_values_ = false;
 };
+
+/// Calls `run`, which draws into the back end's sink, as often as the sink wants, each time for the part that it wants.
+Flow run_for(OutputSink& sink, const std::function<Flow(const RunOptions&)>& run, RunOptions options);
 
 }  // namespace burin::preset

@@ -27,7 +27,7 @@ TEST(BackEnds, AreOnePerFormat) {
     EXPECT_EQ(row.binary, row.format == "pdf" || row.format == "png") << row.format;
   }
   EXPECT_EQ(output::back_ends().front().format, "svg");
-  for (const char* format : {"svg", "pdf", "csv", "dump"}) EXPECT_TRUE(formats.contains(format)) << format;
+  for (const char* format : {"svg", "pdf", "png", "csv", "dump"}) EXPECT_TRUE(formats.contains(format)) << format;
 }
 
 TEST(BackEnds, ToleranceIsHalfOfTheLastDecimalThatShows) {
@@ -38,6 +38,7 @@ TEST(BackEnds, ToleranceIsHalfOfTheLastDecimalThatShows) {
     options.decimals = 0;
     EXPECT_DOUBLE_EQ(row_of(format).tolerance_mm(options), 0.5);
   }
+  EXPECT_DOUBLE_EQ(row_of("png").tolerance_mm(options), 0.125 / options.dots_per_mm);
   EXPECT_EQ(row_of("csv").tolerance_mm(options), 0.0);
   EXPECT_EQ(row_of("dump").tolerance_mm(options), 0.0);
 }

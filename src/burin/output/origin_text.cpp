@@ -1,9 +1,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <burin/output_cairo/origin_text.hpp>
+#include <burin/output/origin_text.hpp>
 
-namespace burin::output_cairo {
+namespace burin::output {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::string carried_text(std::string_view text) {
   return carried;
 }
 
-}  // namespace burin::output_cairo
+}  // namespace burin::output

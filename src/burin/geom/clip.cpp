@@ -1,9 +1,9 @@
 #include <array>
 #include <utility>
 
-#include <burin/output_cairo/clip.hpp>
+#include <burin/geom/clip.hpp>
 
-namespace burin::output_cairo {
+namespace burin {
 
 namespace {
 
@@ -74,4 +74,4 @@ void clip_polygon(std::vector<Vec2>& polygon, std::vector<Vec2>& spare, const Bo
   }
 }
 
-}  // namespace burin::output_cairo
+}  // namespace burin

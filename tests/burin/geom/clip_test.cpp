@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <burin/output_cairo/clip.hpp>
+#include <burin/geom/clip.hpp>
 
-namespace burin::output_cairo {
+namespace burin {
 namespace {
 
 const Box2 box{{0.0, 0.0}, {10.0, 5.0}};
@@ -89,4 +89,4 @@ TEST(Clip, PolygonAroundTheBoxTwiceCoversItTwice) {
 }
 
 }  // namespace
-}  // namespace burin::output_cairo
+}  // namespace burin

@@ -7,7 +7,7 @@
 #include <burin/geom/box2.hpp>
 #include <burin/geom/vec2.hpp>
 
-namespace burin::output_cairo {
+namespace burin {
 
 /// `p` in device units, held below 1e300: a finite point stays finite.
 inline Vec2 device_point(Vec2 p, double device_per_mm) {
@@ -28,4 +28,4 @@ std::optional<Segment> clip_segment(Vec2 a, Vec2 b, const Box2& box);
 /// what lay outside runs along its border. Linear time; uses `spare` as working memory.
 void clip_polygon(std::vector<Vec2>& polygon, std::vector<Vec2>& spare, const Box2& box);
 
-}  // namespace burin::output_cairo
+}  // namespace burin

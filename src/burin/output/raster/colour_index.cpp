@@ -1,0 +1,31 @@
+#include <burin/output/raster/colour_index.hpp>
+
+namespace burin::output::raster {
+
+std::optional<std::uint8_t> ColourIndex::add(Rgb rgb) {
+  std::size_t slot = (rgb * 0x9E3779B1U) >> 22U;
+  for (; slots_[slot] != free_slot; slot = (slot + 1) % slots_.size()) {
+    if (rgb_of(colours_[slots_[slot]]) == rgb) return static_cast<std::uint8_t>(slots_[slot]);
+  }
+  if (colours_.size() == 256) return std::nullopt;
+  slots_[slot] = static_cast<std::uint16_t>(colours_.size());
+  colours_.push_back(colour_of(rgb));
+  return static_cast<std::uint8_t>(slots_[slot]);
+}
+
+bool ColourIndex::translate(const std::vector<Rgb>& row, std::uint8_t* numbers) {
+  Rgb last = ~row.front();
+  std::uint8_t number = 0;
+  for (const Rgb rgb : row) {
+    if (rgb != last) {
+      const std::optional<std::uint8_t> found = add(rgb);
+      if (!found) return false;
+      number = *found;
+      last = rgb;
+    }
+    *numbers++ = number;
+  }
+  return true;
+}
+
+}  // namespace burin::output::raster

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <burin/output/raster/kernel.hpp>
+#include <burin/output/raster/polygon_fill.hpp>
+
+namespace burin::output::raster {
+
+/// The ink of one layer on a part of the page. The order of what is added does not matter, nor does how the page is cut
+/// into parts.
+class Ink {
+ public:
+  /// Pre: part begins at whole tiles.
+  explicit Ink(const PixelBox& part, const Kernel& kernel = best_kernel()) : kernel_(&kernel), tiles_(part) {}
+
+  void add(const Convex& shape) { kernel_->cover(shape, tiles_.part(), tiles_); }
+  void add(PolygonFill& polygon, bool evenodd) { polygon.fill(evenodd, tiles_.part(), tiles_); }
+
+  const Kernel& kernel() const { return *kernel_; }
+  MaskTiles& tiles() { return tiles_; }
+
+ private:
+  const Kernel* kernel_;
+  MaskTiles tiles_;
+};
+
+}  // namespace burin::output::raster

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include <burin/output/raster/convex.hpp>
+#include <burin/output/raster/mask_tiles.hpp>
+
+namespace burin::output::raster {
+
+/// The two inner loops of the rasterizer. All kernels give the same bits: what is not certain in a faster way, they ask
+/// samples_in() for.
+struct Kernel {
+  /// Adds the samples of `shape` in the part that the tiles cover and in `clip` to the tiles.
+  void (*cover)(const Convex& shape, const PixelBox& clip, MaskTiles& tiles);
+  /// How many samples each pixel of a tile has, 0 to 64.
+  void (*count)(const MaskTiles::Tile& masks, std::uint8_t* counts);
+};
+
+/// For every machine.
+const Kernel& portable_kernel();
+
+/// The fastest for the machine that the program runs on.
+const Kernel& best_kernel();
+
+}  // namespace burin::output::raster

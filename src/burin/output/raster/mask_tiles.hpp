@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <burin/output/raster/sample_grid.hpp>
+
+namespace burin::output::raster {
+
+/// A grid of tiles over a part of the page, of which those exist that were touched: memory follows ink, not area.
+/// Tiles lie at whole multiples of their size in page coordinates.
+template <class Value>
+class Tiles {
+ public:
+  static constexpr int width = 16;
+  static constexpr int height = 8;
+  using Tile = std::array<Value, static_cast<std::size_t>(width) * height>;
+
+  /// Pre: part.left and part.top are multiples of a tile's width and height.
+  explicit Tiles(const PixelBox& part)
+      : part_(part),
+        columns_((part.width() + width - 1) / width),
+        rows_((part.height() + height - 1) / height),
+        tiles_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), nullptr) {}
+
+  const PixelBox& part() const { return part_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+
+  /// The tile in that column and row of tiles; null when it was never touched.
+  Tile* tile(int column, int row) { return tiles_[index(column, row)]; }
+  const Tile* tile(int column, int row) const { return tiles_[index(column, row)]; }
+
+  /// The same, made if need be: filled with `blank`.
+  Tile& touched(int column, int row, const Value& blank) {
+    Tile*& tile = tiles_[index(column, row)];
+    if (tile == nullptr) {
+      tile = fresh();
+      tile->fill(blank);
+    }
+    return *tile;
+  }
+
+  /// The value of pixel (i, j), the first of those up to end_of_tile(i). Pre: it is inside part().
+  Value* at(int i, int j, const Value& blank) {
+    Tile& tile = touched((i - part_.left) / width, (j - part_.top) / height, blank);
+    return tile.data() + static_cast<std::size_t>(j % height) * width + static_cast<std::size_t>(i % width);
+  }
+  static constexpr int end_of_tile(int i) { return (i / width + 1) * width; }
+
+  /// Forgets what the tile holds; its memory serves the next.
+  void release(int column, int row) {
+    Tile*& tile = tiles_[index(column, row)];
+    if (tile == nullptr) return;
+    spare_.push_back(tile);
+    tile = nullptr;
+  }
+
+ private:
+  static constexpr std::size_t tiles_per_chunk = 64;
+
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
+  Tile* fresh() {
+    if (!spare_.empty()) {
+      Tile* const tile = spare_.back();
+      spare_.pop_back();
+      return tile;
+    }
+    if (used_of_chunk_ == tiles_per_chunk) {
+      // Not cleared here: each tile is filled when it is touched.
+      chunks_.emplace_back(new Tile[tiles_per_chunk]);
+      used_of_chunk_ = 0;
+    }
+    return &chunks_.back()[used_of_chunk_++];
+  }
+
+  PixelBox part_;
+  int columns_;
+  int rows_;
+  std::vector<Tile*> tiles_;
+  std::vector<Tile*> spare_;
+  std::vector<std::unique_ptr<Tile[]>> chunks_;
+  std::size_t used_of_chunk_ = tiles_per_chunk;
+};
+
+/// The ink of one layer.
+using MaskTiles = Tiles<Samples>;
+
+}  // namespace burin::output::raster

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+
+#include <burin/geom/clip.hpp>
+#include <burin/output/raster/path_stroker.hpp>
+
+namespace burin::output::raster {
+
+namespace {
+
+constexpr double most_pixels = 131072.0;
+
+double cross_of(Point a, Point b) {
+  return static_cast<double>(a.x) * b.y - static_cast<double>(a.y) * b.x;
+}
+double dot_of(Point a, Point b) {
+  return static_cast<double>(a.x) * b.x + static_cast<double>(a.y) * b.y;
+}
+
+}  // namespace
+
+void PathStroker::set_style(const StrokeStyle& style) {
+  style_ = style;
+  style_.width = std::clamp(style.width, 0.0, most_pixels);
+  half_width_ = 0.5 * style_.width * units_per_pixel;
+  const double corner = style_.join == Join::miter ? std::max(1.5, style_.miter_limit) : 1.5;
+  const Box2 sight = page_.grown(std::min(0.5 * style_.width * corner, most_pixels) + 2.0);
+  sight_ = {units_per_pixel * sight.low, units_per_pixel * sight.high};
+  // To cut a line off moves it by up to a unit: only where it must be.
+  constexpr double far_away = 16384.0;
+  box_ = sight.grown(far_away);
+}
+
+void PathStroker::begin(bool closed) {
+  closed_ = closed;
+  started_ = false;
+}
+
+void PathStroker::to(Vec2 p) {
+  if (!started_) {
+    started_ = true;
+    moved_ = has_second_ = false;
+    exact_first_ = exact_ = p;
+    inside_ = run_is_first_ = box_.contains(p);
+    run_length_ = 0;
+    if (inside_) {
+      enter(p);
+      first_ = last_;
+    }
+    return;
+  }
+  const bool p_inside = box_.contains(p);
+  if (inside_ && p_inside) {
+    step(nearest_point(p));
+  } else if (p != exact_) {
+    moved_ = true;
+    if (const auto part = clip_segment(exact_, p, box_)) {
+      if (!inside_) {
+        run_is_first_ = false;
+        enter(part->from);
+      }
+      step(nearest_point(part->to));
+    }
+  }
+  inside_ = p_inside;
+  if (!inside_) run_length_ = 0;
+  exact_ = p;
+}
+
+void PathStroker::end(Vec2 direction) {
+  if (!moved_) {
+    if (inside_) dot(last_, direction);
+  } else if (closed_) {
+    close();
+  } else if (run_length_ == 2) {
+    cap(last_, before_);
+  }
+}
+
+void PathStroker::enter(Vec2 at) {
+  last_ = nearest_point(at);
+  run_length_ = 1;
+}
+
+void PathStroker::step(Point p) {
+  if (p == last_) return;
+  moved_ = true;
+  if (can_show(last_, p)) ink_.add(segment_body(last_, p, half_width_));
+  if (run_length_ == 2) {
+    join(before_, last_, p);
+  } else if (run_is_first_) {
+    second_ = p;
+    has_second_ = true;
+    if (!closed_) cap(last_, p);
+  }
+  before_ = last_;
+  last_ = p;
+  run_length_ = 2;
+}
+
+void PathStroker::close() {
+  to(exact_first_);
+  if (has_second_ && run_length_ == 2) join(before_, last_, second_);
+}
+
+bool PathStroker::can_show(Point a, Point b) const {
+  return std::max(a.x, b.x) >= sight_.low.x && std::min(a.x, b.x) <= sight_.high.x &&
+         std::max(a.y, b.y) >= sight_.low.y && std::min(a.y, b.y) <= sight_.high.y;
+}
+
+void PathStroker::cap(Point end, Point inner) {
+  if (style_.cap == Cap::round) ink_.add(disc(end, half_width_));
+  if (style_.cap == Cap::square) ink_.add(square_cap(inner, end, half_width_));
+}
+
+void PathStroker::join(Point before, Point corner, Point after) {
+  if (!can_show(corner, corner)) return;
+  const Point in = corner - before;
+  const Point out = after - corner;
+  const double turn = cross_of(in, out);
+  const double ahead = dot_of(in, out);
+  if (turn == 0.0 && ahead > 0.0) return;
+  if (style_.join == Join::round) {
+    // What a disc has besides the sector is covered by the strokes, unless one ends within it without a round cap.
+    ink_.add(style_.cap == Cap::round ? disc(corner, half_width_) : join_sector(corner, in, out, half_width_));
+    return;
+  }
+  if (turn == 0.0) return;
+  // The miter is as long as 1 / sin(angle / 2) widths, and 2 sin^2(angle / 2) = 1 + cos(turn).
+  const double cosine = ahead / std::sqrt(dot_of(in, in) * dot_of(out, out));
+  const bool is_miter = style_.join == Join::miter && style_.miter_limit * style_.miter_limit * (1.0 + cosine) >= 2.0;
+  ink_.add(is_miter ? join_miter(corner, in, out, half_width_) : join_bevel(corner, in, out, half_width_));
+}
+
+void PathStroker::dot(Point at, Vec2 direction) {
+  if (style_.cap == Cap::round) ink_.add(disc(at, half_width_));
+  if (style_.cap == Cap::square) ink_.add(square(at, direction, half_width_));
+}
+
+}  // namespace burin::output::raster

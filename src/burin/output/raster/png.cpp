@@ -1,0 +1,236 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <burin/base/number_text.hpp>
+#include <burin/output/png_page.hpp>
+#include <burin/output/png_rows.hpp>
+#include <burin/output/raster/colour_index.hpp>
+#include <burin/output/raster/painter.hpp>
+#include <burin/output/raster/png.hpp>
+
+namespace burin::output {
+
+namespace {
+
+using raster::MaskTiles;
+using raster::Painter;
+using raster::Picture;
+using raster::PixelBox;
+using raster::Rgb;
+
+constexpr double most_pixels_a_side = 100'000.0;
+
+/// So many colours go into 4 bits.
+constexpr std::size_t most_packed = 16;
+
+/// Red, green and blue of each pixel; what comes behind them.
+std::uint8_t* pack_row(const std::vector<Rgb>& row, std::uint8_t* byte) {
+  for (const Rgb rgb : row) {
+    *byte++ = static_cast<std::uint8_t>(rgb >> 16U);
+    *byte++ = static_cast<std::uint8_t>(rgb >> 8U);
+    *byte++ = static_cast<std::uint8_t>(rgb);
+  }
+  return byte;
+}
+
+class RasterPng final : public OutputSink {
+ public:
+  RasterPng(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options, const RasterPlan& plan);
+
+  Flow begin(const PathHead& head) override { return ok_ ? painter_->begin(head) : Flow::stop; }
+  Flow points(std::span<const Vec2> points) override { return painter_->points(points); }
+  Flow contour() override { return painter_->contour(); }
+  Flow end() override { return painter_->end(); }
+
+  Box2 wanted_part_mm() const override;
+  bool wants_another_run() override;
+  Result<Done> finish() override;
+
+ private:
+  void begin_band(int top);
+  bool write(std::string_view bytes) { return ok_ = ok_ && bytes_.write(bytes); }
+  bool is_whole_page() const { return band_.height() == static_cast<int>(head_.height); }
+  void write_page(const Picture& picture);
+  void write_band(const Picture& picture);
+
+  ByteSink& bytes_;
+  const Sheet& sheet_;
+  double dots_per_mm_;
+  const raster::Kernel& kernel_;
+  PngHead head_;
+  int rows_per_band_;
+  PixelBox band_;
+  std::optional<Painter> painter_;
+  std::unique_ptr<PngRows> rows_;  ///< for several bands
+  raster::ColourIndex index_;
+  bool ok_ = true;
+  bool had_memory_ = true;
+};
+
+RasterPng::RasterPng(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options, const RasterPlan& plan)
+    : bytes_(bytes), sheet_(sheet), dots_per_mm_(options.dots_per_mm), kernel_(*plan.kernel) {
+  const auto [width, height] = png_size(sheet.page, dots_per_mm_);
+  head_.width = static_cast<std::uint32_t>(width);
+  head_.height = static_cast<std::uint32_t>(height);
+  head_.pixels = all_grey(sheet) ? PngPixels::grey : PngPixels::rgb;
+  head_.chunks = png_chunks(sheet.made_by, dots_per_mm_);
+  const double tiles = std::max(1.0, std::floor(plan.pixels_per_band / width / MaskTiles::height));
+  rows_per_band_ = width * height <= plan.most_pixels_at_once
+                       ? static_cast<int>(height)
+                       : static_cast<int>(std::min(height, tiles * MaskTiles::height));
+  begin_band(0);
+}
+
+void RasterPng::begin_band(int top) {
+  band_ = {0, top, static_cast<int>(head_.width), std::min(top + rows_per_band_, static_cast<int>(head_.height))};
+  painter_.reset();
+  painter_.emplace(sheet_, dots_per_mm_, band_, kernel_);
+}
+
+Box2 RasterPng::wanted_part_mm() const {
+  if (is_whole_page()) return Box2::everything();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{-infinity, band_.top / dots_per_mm_}, {infinity, band_.bottom / dots_per_mm_}};
+}
+
+bool RasterPng::wants_another_run() {
+  if (!ok_ || band_.bottom == static_cast<int>(head_.height)) return false;
+  write_band(painter_->finish());
+  begin_band(band_.bottom);
+  return ok_;
+}
+
+Result<Done> RasterPng::finish() {
+  if (ok_) {
+    const Picture& picture = painter_->finish();
+    if (is_whole_page()) {
+      write_page(picture);
+    } else {
+      write_band(picture);
+      had_memory_ = rows_->finish() || !ok_;
+    }
+  }
+  if (!ok_) return Problem{{}, "the PNG could not be written: " + bytes_.failure(), Trouble::output};
+  if (!had_memory_) return Problem{{}, "there is not enough memory to draw the PNG", Trouble::limit};
+  return Done{};
+}
+
+/// The whole page in one piece, in the format that suits the colours it has.
+void RasterPng::write_page(const Picture& picture) {
+  std::vector<Rgb> row(head_.width);
+  std::vector<std::uint8_t> bytes(std::size_t{head_.width} * head_.height);
+  std::uint8_t* byte = bytes.data();
+  bool few_colours = true;
+  for (int j = 0; j < band_.bottom && few_colours; ++j) {
+    picture.read_row(j, row.data());
+    few_colours = index_.translate(row, byte);
+    byte += head_.width;
+  }
+  if (!few_colours) {
+    bytes.resize(std::size_t{head_.width} * head_.height * 3);
+    byte = bytes.data();
+    for (int j = 0; j < band_.bottom; ++j) {
+      picture.read_row(j, row.data());
+      byte = pack_row(row, byte);
+    }
+  } else if (head_.pixels == PngPixels::grey && index_.colours().size() > most_packed) {
+    for (std::uint8_t& index : bytes) index = index_.colours()[index].red;
+  } else {
+    head_.pixels = PngPixels::palette;
+    head_.palette = index_.colours();
+  }
+  if (head_.pixels == PngPixels::palette && head_.palette.size() <= most_packed) {
+    PngRows rows(head_, [this](std::string_view some) { return write(some); });
+    for (std::uint32_t j = 0; j < head_.height; ++j) rows.add(bytes.data() + std::size_t{j} * head_.width);
+    had_memory_ = rows.finish() || !ok_;
+  } else {
+    const std::optional<std::string> file = png_page(head_, bytes);
+    had_memory_ = file.has_value();
+    if (file) write(*file);
+  }
+}
+
+/// A band; the first fixes the format by what colours there can be.
+void RasterPng::write_band(const Picture& picture) {
+  if (rows_ == nullptr) {
+    if (head_.pixels == PngPixels::rgb && sheet_.layers.size() == 1) {
+      const SheetLayer& layer = sheet_.layers.front();
+      for (const Rgb shade :
+           raster::shades(raster::rgb_of(sheet_.page.paper), sheet_.pens[layer.pen].colour, layer.opacity)) {
+        index_.add(shade);
+      }
+      head_.pixels = PngPixels::palette;
+      head_.palette = index_.colours();
+    }
+    rows_ = std::make_unique<PngRows>(head_, [this](std::string_view some) { return write(some); });
+  }
+  std::vector<Rgb> row(head_.width);
+  std::vector<std::uint8_t> bytes(head_.bytes_per_row());
+  for (int j = band_.top; j < band_.bottom && ok_; ++j) {
+    picture.read_row(j, row.data());
+    if (head_.pixels == PngPixels::palette) {
+      index_.translate(row, bytes.data());
+    } else if (head_.pixels == PngPixels::grey) {
+      std::transform(row.begin(), row.end(), bytes.begin(), [](Rgb rgb) { return static_cast<std::uint8_t>(rgb); });
+    } else {
+      pack_row(row, bytes.data());
+    }
+    rows_->add(bytes.data());
+  }
+}
+
+/// As for Cairo's PNG: half a pixel would hide the shapes, but a crinkled line loses ink with them.
+double tolerance_mm(const OutputOptions& options) {
+  return 0.125 / options.dots_per_mm;
+}
+
+Result<Done> accepts(const Sheet& sheet, const OutputOptions& options) {
+  const auto [width, height] = png_size(sheet.page, options.dots_per_mm);
+  if (std::max(width, height) <= most_pixels_a_side) return Done{};
+  return Problem{{},
+                 fmt::format("the PNG would have {} x {} pixels; {} a side is the most: give a lower --dpi, or --size "
+                             "{}px or less",
+                             fixed_text(width, 0), fixed_text(height, 0), most_pixels_a_side, most_pixels_a_side),
+                 Trouble::limit};
+}
+
+/// With ink everywhere.
+double memory_bytes(double, const Sheet& sheet, const OutputOptions& options) {
+  const auto [width, height] = png_size(sheet.page, options.dots_per_mm);
+  const RasterPlan plan;
+  constexpr double for_ink = 12.0;
+  constexpr double for_the_file = 6.0;
+  if (width * height > plan.most_pixels_at_once) return 8e6 + for_ink * plan.pixels_per_band;
+  return 8e6 + (for_ink + for_the_file) * width * height;
+}
+
+std::unique_ptr<OutputSink> open(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options) {
+  return open_png(bytes, sheet, options, {});
+}
+
+}  // namespace
+
+BackEnd png_back_end() {
+  return {.name = "native",
+          .format = "png",
+          .summary = "PNG with soft edges on the paper's colour, the same bytes on every machine",
+          .space = Space::page,
+          .binary = true,
+          .tolerance_mm = tolerance_mm,
+          .accepts = accepts,
+          .memory_bytes = memory_bytes,
+          .open = open};
+}
+
+std::unique_ptr<OutputSink> open_png(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options,
+                                     const RasterPlan& plan) {
+  return std::make_unique<RasterPng>(bytes, sheet, options, plan);
+}
+
+}  // namespace burin::output
