@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# same_bytes.sh: builds the tool with g++ and clang at -O0 and -O3, draws every shipped preset with each as SVG, CSV and
-# dump, and fails on the first file that is not the same byte for byte.
+# same_bytes.sh: builds the tool with g++ and clang at -O0 and -O3, draws every shipped preset with each as SVG, PNG, CSV
+# and dump, and fails on the first file that is not the same byte for byte.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -20,8 +20,8 @@ for build in "${builds[@]}"; do
   mkdir -p "$pictures"
   for preset in presets/*.toml; do
     name=$(basename "$preset" .toml)
-    "$folder/bin/burin" draw "$preset" -o "$pictures/$name.svg" -o "$pictures/$name.csv" -o "$pictures/$name.dump" \
-      > /dev/null
+    "$folder/bin/burin" draw "$preset" -o "$pictures/$name.svg" -o "$pictures/$name.png" -o "$pictures/$name.csv" \
+      -o "$pictures/$name.dump" > /dev/null
   done
   if [[ -z $first ]]; then
     first=$pictures

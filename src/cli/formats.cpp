@@ -15,12 +15,6 @@ namespace burin::cli {
 
 namespace {
 
-#ifdef BURIN_HAS_CAIRO
-constexpr std::string_view build_note;
-#else
-constexpr std::string_view build_note = " (this burin was built without Cairo: no PNG)";
-#endif
-
 /// Cairo's finish is the better default where both write a format, but for SVG.
 std::string_view preferred_name(std::string_view format) {
   return format == "pdf" || format == "png" ? "cairo" : "native";
@@ -54,8 +48,7 @@ std::vector<std::string_view> format_names() {
 Result<Done> check_format(std::string_view format) {
   const std::vector<std::string_view> names = format_names();
   if (std::find(names.begin(), names.end(), format) != names.end()) return Done{};
-  return Problem{{"burin draw"},
-                 fmt::format("there is no format '{}'; formats: {}{}", format, fmt::join(names, ", "), build_note)};
+  return Problem{{"burin draw"}, fmt::format("there is no format '{}'; formats: {}", format, fmt::join(names, ", "))};
 }
 
 Result<const BackEnd*> choose_back_end(std::string_view format, const std::optional<std::string>& name) {
@@ -84,8 +77,8 @@ Result<std::string> format_of_suffix(const std::string& path) {
   for (char& c : suffix) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (check_format(suffix)) return suffix;
   return Problem{{"burin draw"},
-                 fmt::format("'{}': '.{}' is no format that burin writes; formats: {}{}", path, suffix,
-                             fmt::join(format_names(), ", "), build_note)};
+                 fmt::format("'{}': '.{}' is no format that burin writes; formats: {}", path, suffix,
+                             fmt::join(format_names(), ", "))};
 }
 
 const std::vector<FormatOption>& format_options() {

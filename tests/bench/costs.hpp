@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include "support/measured_run.hpp"
 
-/// Costs of repeated runs.
+/// Costs of several runs. Noise only adds to a run, and it adds to both of a pair that is run in turns.
 namespace burin::test {
 
-/// The cheapest of several runs, each measure for itself: noise only adds.
+/// Each measure for itself.
 inline Cost cheapest(const Cost& a, const Cost& b) {
   return {std::min(a.cpu_s, b.cpu_s), std::min(a.wall_s, b.wall_s), std::min(a.peak_mib, b.peak_mib)};
 }
@@ -16,7 +17,29 @@ inline Cost cheapest(const Cost& a, const Cost& b) {
 inline constexpr Cost unknown{1e9, 1e9, 1e9};
 
 inline void print_row(const char* what, const Cost& cost) {
-  std::printf("%-28s cpu %7.4f s  wall %7.4f s  peak %6.1f MiB\n", what, cost.cpu_s, cost.wall_s, cost.peak_mib);
+  std::printf("%-36s cpu %7.4f s  wall %7.4f s  peak %6.1f MiB\n", what, cost.cpu_s, cost.wall_s, cost.peak_mib);
+}
+
+/// How much more CPU time the second of two programs takes, pair by pair of runs.
+struct Ratio {
+  double least = 0.0;
+  double median = 0.0;
+  double most = 0.0;
+};
+
+template <class Ours, class Theirs>
+Ratio times_theirs(int turns, const Ours& ours, const Theirs& theirs) {
+  std::vector<double> ratios;
+  for (int turn = 0; turn < turns; ++turn) {
+    const double cpu_s = ours();
+    ratios.push_back(theirs() / cpu_s);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  return {ratios.front(), ratios[ratios.size() / 2], ratios.back()};
+}
+
+inline void print_ratio(const char* what, const Ratio& ratio) {
+  std::printf("%-36s x %.1f (least %.1f, most %.1f)\n", what, ratio.median, ratio.least, ratio.most);
 }
 
 }  // namespace burin::test

@@ -57,6 +57,18 @@ TEST_P(Shipped, LooksTheSameOnAScreen) {
   EXPECT_GT(rmse(ours, upside_down(ours)), most_rmse) << "another picture would pass, too";
 }
 
+TEST_P(Shipped, LooksTheSameThroughOurRasterizer) {
+  for (const std::string size : {"400px", "1600px"}) {
+    draw(folder, GetParam(), "cairo.png", {"--size", size});
+    draw(folder, GetParam(), "native.png", {"--size", size, "--backend", "native"});
+    const GreyPicture cairo = read_png(folder.file("cairo.png"));
+    const GreyPicture native = read_png(folder.file("native.png"));
+    expect_alike(cairo, native);
+    EXPECT_GT(rmse(cairo, upside_down(native)), most_rmse) << "another picture would pass, too";
+    run_silently_in(folder, {"pngcheck", "-q", "native.png"});
+  }
+}
+
 // Each at its own idea of 300 dots to the inch: a wrong size would show, too.
 TEST_P(Shipped, LooksTheSameInPrint) {
   draw_all({"--dpi", "300"});

@@ -29,4 +29,8 @@ std::string_view Deflater::operator()(std::string_view bytes) {
   return {stream_.get(), size};
 }
 
+std::uint32_t crc32_of(std::string_view bytes) {
+  return libdeflate_crc32(0, bytes.data(), bytes.size());
+}
+
 }  // namespace burin::output

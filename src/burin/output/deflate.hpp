@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string_view>
 
@@ -27,5 +28,8 @@ class Deflater {
   std::unique_ptr<char[]> stream_;
   std::size_t stream_room_ = 0;
 };
+
+/// CRC-32 as PNG has it.
+std::uint32_t crc32_of(std::string_view bytes);
 
 }  // namespace burin::output

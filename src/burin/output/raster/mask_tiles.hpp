@@ -59,7 +59,7 @@ class Tiles {
   }
 
  private:
-  static constexpr std::size_t tiles_per_chunk = 64;
+  static constexpr std::size_t tiles_per_chunk = 256;
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);

@@ -145,6 +145,7 @@ void RasterPng::write_page(const Picture& picture) {
     head_.pixels = PngPixels::palette;
     head_.palette = index_.colours();
   }
+  painter_.reset();  // its memory serves the encoder
   if (head_.pixels == PngPixels::palette && head_.palette.size() <= most_packed) {
     PngRows rows(head_, [this](std::string_view some) { return write(some); });
     for (std::uint32_t j = 0; j < head_.height; ++j) rows.add(bytes.data() + std::size_t{j} * head_.width);
