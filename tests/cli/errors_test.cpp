@@ -53,7 +53,8 @@ TEST(Errors, AllThatIsWrongWithACommandLineIsShown) {
 
 #ifdef BURIN_HAS_CAIRO
 TEST(Errors, BackEndsAndResolutions) {
-  expect_refused({"draw", "p.toml", "-o", "a.png", "--backend", "native"}, 2, {"back ends of png: cairo"});
+  expect_refused({"draw", "p.toml", "-o", "a.csv", "--backend", "cairo"}, 2, {"back ends of csv: native"});
+  expect_refused({"draw", "p.toml", "-o", "a.png", "--backend", "native", "--size", "200000px"}, 4, {"100000 a side"});
   expect_refused({"draw", "p.toml", "-o", "a.png", "--dpi", "100", "--size", "100px"}, 2, {"give one of them"});
 }
 #endif

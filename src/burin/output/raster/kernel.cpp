@@ -56,9 +56,10 @@ BURIN_AVX2 inline Samples samples_between(const Bounds& bounds, bool& certain) {
   const __m256 most = _mm256_set1_ps(1e9F);  // beyond 2^31 the conversion gives the lowest number, whatever the sign
   const __m256i low = _mm256_cvtps_epi32(_mm256_min_ps(bounds.low, most));
   const __m256i high = _mm256_cvtps_epi32(_mm256_min_ps(bounds.high, most));
-  // In each half: four low bounds, four high ones. What is too far away for 16 bits is cut off, but not at a whole
-  // column, where it would look uncertain.
-  const __m256i both = _mm256_max_epi16(_mm256_packs_epi32(low, high), _mm256_set1_epi16(-32700));
+  // In each half: four low bounds, four high ones. Beyond the pixel's columns all are alike, and no column is near.
+  const __m256i beyond = _mm256_set1_epi16(4 * 4096 + 64);
+  const __m256i both = _mm256_max_epi16(_mm256_min_epi16(_mm256_packs_epi32(low, high), beyond),
+                                        _mm256_sub_epi16(_mm256_setzero_si256(), beyond));
   const __m256i near_column = _mm256_and_si256(_mm256_adds_epi16(both, _mm256_set1_epi16(2)), _mm256_set1_epi16(4095));
   certain = _mm256_testz_si256(_mm256_cmpgt_epi16(_mm256_set1_epi16(4), near_column), _mm256_set1_epi16(-1)) != 0;
   const __m256i columns = _mm256_srai_epi16(both, 12);
