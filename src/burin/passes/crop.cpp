@@ -40,7 +40,7 @@ Vec2 clamped(const Box2& box, Vec2 p) {
 
 }  // namespace
 
-Crop::Crop(PathSink& next, const Box2& box) : Decorator(next), box_(box), buffer_(next) {
+Crop::Crop(PathSink& next, const Box2& box) : Decorator(next), box_(box), pieces_(next), buffer_(next) {
   BURIN_EXPECT(!box.empty());
 }
 
@@ -98,28 +98,12 @@ Flow Crop::stroke_to(Vec2 to) {
     return Flow::go;
   }
   left_ = left_ || leaves;
-  if (!part.any()) return lift();
+  if (!part.any()) return pieces_.lift();
   const Vec2 direction = to - last_;
   const Vec2 from = part.from == 0.0 ? last_ : clamped(box_, last_ + part.from * direction);
   const Vec2 until = part.to == 1.0 ? to : clamped(box_, last_ + part.to * direction);
-  if (draw(from, until) == Flow::stop) return Flow::stop;
-  return leaves ? lift() : Flow::go;
-}
-
-Flow Crop::draw(Vec2 from, Vec2 to) {
-  if (!down_) {
-    PathHead piece = head_;
-    piece.closed = false;
-    if (next().begin(piece) == Flow::stop || buffer_.add(from) == Flow::stop) return Flow::stop;
-    down_ = true;
-  }
-  return buffer_.add(to);
-}
-
-Flow Crop::lift() {
-  if (!down_) return Flow::go;
-  down_ = false;
-  return buffer_.finish(false) == Flow::stop ? Flow::stop : next().end();
+  if (pieces_.draw(head_, from, until) == Flow::stop) return Flow::stop;
+  return leaves ? pieces_.lift() : Flow::go;
 }
 
 Flow Crop::whole(std::span<const Vec2> points) {
@@ -130,16 +114,16 @@ Flow Crop::whole(std::span<const Vec2> points) {
 Flow Crop::finish_stroke() {
   if (!has_point_) return Flow::go;
   if (!head_.closed) {
-    if (down_ || left_) return lift();
+    if (pieces_.down() || left_) return pieces_.lift();
     return whole({&first_, 1});  // a dot has no segment that could have drawn it
   }
   if (!left_) return whole(opening_);
   if (stroke_to(first_) == Flow::stop) return Flow::stop;
   // The way back to the first point and the way from it are one stroke.
   for (std::size_t i = 1; i < opening_.size(); ++i) {
-    if (draw(opening_[i - 1], opening_[i]) == Flow::stop) return Flow::stop;
+    if (pieces_.draw(head_, opening_[i - 1], opening_[i]) == Flow::stop) return Flow::stop;
   }
-  return lift();
+  return pieces_.lift();
 }
 
 double Crop::depth(std::size_t border, Vec2 point) const {

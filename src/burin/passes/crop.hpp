@@ -7,6 +7,7 @@
 #include <burin/geom/box2.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/path/point_buffer.hpp>
+#include <burin/path/stroke_pieces.hpp>
 
 namespace burin::passes {
 
@@ -35,8 +36,6 @@ class Crop final : public Decorator {
   };
 
   Flow stroke_to(Vec2 to);
-  Flow draw(Vec2 from, Vec2 to);
-  Flow lift();
   Flow whole(std::span<const Vec2> points);
   Flow finish_stroke();
   Flow fill_to(std::size_t border, Vec2 to);
@@ -48,13 +47,13 @@ class Crop final : public Decorator {
   Vec2 at_border(std::size_t border, Vec2 from, Vec2 to) const;
 
   Box2 box_;
-  PointBuffer buffer_;
+  StrokePieces pieces_;
+  PointBuffer buffer_;  ///< of a fill
   PathHead head_{};
   bool has_point_ = false;
   Vec2 first_{};
   Vec2 last_{};
 
-  bool down_ = false;          ///< a piece of a stroke is begun and not ended
   bool left_ = false;          ///< the contour has been outside
   std::vector<Vec2> opening_;  ///< a closed stroke from its first point until it leaves the box
 

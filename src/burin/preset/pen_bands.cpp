@@ -36,7 +36,7 @@ PenBand::PenBand(PathSink& next, const PenChoice& choice, std::size_t band, cons
       frame_(frame),
       seed_(context.seed),
       origin_(context.origin),
-      buffer_(next) {}
+      pieces_(next) {}
 
 bool PenBand::inside(Vec2 from_origin, Vec2 direction) {
   const Vec2 point = origin_ + from_origin;
@@ -102,40 +102,25 @@ Flow PenBand::edge(Vec2 from, Vec2 to) {
         const double middle = 0.5 * (low + high);
         (inside(at(middle), direction) == was_inside ? low : high) = middle;
       }
-      if (was_inside && (draw_to(at(begun), at(high)) == Flow::stop || lift() == Flow::stop)) return Flow::stop;
+      if (was_inside && (pieces_.draw(head_, at(begun), at(high)) == Flow::stop || pieces_.lift() == Flow::stop))
+        return Flow::stop;
       begun = high;
       was_inside = is_inside;
     }
     before = here;
   }
   ++edge_index_;
-  return was_inside ? draw_to(at(begun), to) : lift();
-}
-
-Flow PenBand::draw_to(Vec2 from, Vec2 to) {
-  if (!down_) {
-    PathHead piece = head_;
-    piece.closed = false;
-    if (next().begin(piece) == Flow::stop || buffer_.add(from) == Flow::stop) return Flow::stop;
-    down_ = true;
-  }
-  return buffer_.add(to);
-}
-
-Flow PenBand::lift() {
-  if (!down_) return Flow::go;
-  down_ = false;
-  return buffer_.finish(false) == Flow::stop ? Flow::stop : next().end();
+  return was_inside ? pieces_.draw(head_, at(begun), to) : pieces_.lift();
 }
 
 Flow PenBand::finish_contour() {
   if (contour_points_ == 1) {
-    if (inside(first_, {}) && draw_to(first_, first_) == Flow::stop) return Flow::stop;
+    if (inside(first_, {}) && pieces_.draw(head_, first_, first_) == Flow::stop) return Flow::stop;
   } else if (head_.closed && edge(last_, first_) == Flow::stop) {
     return Flow::stop;
   }
   contour_points_ = 0;
-  return lift();
+  return pieces_.lift();
 }
 
 Flow PenBand::contour() {

@@ -5,7 +5,7 @@
 
 #include <burin/path/decorators.hpp>
 #include <burin/path/draw_context.hpp>
-#include <burin/path/point_buffer.hpp>
+#include <burin/path/stroke_pieces.hpp>
 #include <burin/preset/piece.hpp>
 #include <burin/preset/slot_layout.hpp>
 
@@ -29,8 +29,6 @@ class PenBand final : public Decorator {
  private:
   Flow edge(Vec2 from, Vec2 to);
   Flow finish_contour();
-  Flow draw_to(Vec2 from, Vec2 to);
-  Flow lift();
   bool inside(Vec2 from_origin, Vec2 direction);
 
   const PenChoice& choice_;
@@ -39,14 +37,13 @@ class PenBand final : public Decorator {
   SlotFrame frame_;
   std::uint64_t seed_;
   Vec2 origin_;
-  PointBuffer buffer_;
+  StrokePieces pieces_;
 
   PathHead head_{};
   std::uint64_t edge_index_ = 0;
   std::uint64_t contour_points_ = 0;
   Vec2 first_{};
   Vec2 last_{};
-  bool down_ = false;  ///< a piece is begun and not ended
 };
 
 }  // namespace burin::preset
