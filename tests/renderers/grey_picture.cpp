@@ -51,6 +51,23 @@ GreyPicture top_left(const GreyPicture& picture, int width, int height) {
   return part;
 }
 
+GreyPicture shrunk(const GreyPicture& picture, int by) {
+  GreyPicture small{picture.width / by, picture.height / by, {}};
+  const double pixels = by * by;
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      int sum = 0;
+      for (int row = 0; row < by; ++row) {
+        const std::size_t first = static_cast<std::size_t>(y * by + row) * static_cast<std::size_t>(picture.width) +
+                                  static_cast<std::size_t>(x * by);
+        for (int column = 0; column < by; ++column) sum += picture.grey[first + static_cast<std::size_t>(column)];
+      }
+      small.grey.push_back(static_cast<std::uint8_t>(std::lround(sum / pixels)));
+    }
+  }
+  return small;
+}
+
 double ink(const GreyPicture& picture) {
   const int paper = picture.grey.at(0);
   std::int64_t sum = 0;

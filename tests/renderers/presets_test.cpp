@@ -58,13 +58,17 @@ TEST_P(Shipped, LooksTheSameOnAScreen) {
 }
 
 TEST_P(Shipped, LooksTheSameThroughOurRasterizer) {
-  for (const std::string size : {"400px", "1600px"}) {
-    draw(folder, GetParam(), "cairo.png", {"--size", size});
-    draw(folder, GetParam(), "native.png", {"--size", size, "--backend", "native"});
-    const GreyPicture cairo = read_png(folder.file("cairo.png"));
-    const GreyPicture native = read_png(folder.file("native.png"));
-    expect_alike(cairo, native);
-    EXPECT_GT(rmse(cairo, upside_down(native)), most_rmse) << "another picture would pass, too";
+  draw(folder, GetParam(), "cairo.png", {"--size", "1600px"});
+  const GreyPicture cairo = read_png(folder.file("cairo.png"));
+  // Lines thinner than a pixel are Cairo's weak side (1 % of the ink at 400 px): there its large picture is the
+  // measure.
+  for (const int shrink : {4, 1}) {
+    draw(folder, GetParam(), "native.png", {"--size", std::to_string(1600 / shrink) + "px", "--backend", "native"});
+    GreyPicture native = read_png(folder.file("native.png"));
+    GreyPicture measure = shrunk(cairo, shrink);
+    crop_to_each_other(measure, native);
+    expect_alike(measure, native);
+    EXPECT_GT(rmse(measure, upside_down(native)), most_rmse) << "another picture would pass, too";
     run_silently_in(folder, {"pngcheck", "-q", "native.png"});
   }
 }
@@ -156,6 +160,7 @@ TEST(GreyPicture, DifferencesAndInkAreThoseByHand) {
   EXPECT_DOUBLE_EQ(ink(a), 1.2);
   EXPECT_EQ(top_left(a, 1, 2).grey, (std::vector<std::uint8_t>{255, 0}));
   EXPECT_EQ(upside_down(a).grey, (std::vector<std::uint8_t>{0, 204, 255, 255}));
+  EXPECT_EQ(shrunk({3, 2, {255, 247, 9, 0, 204, 9}}, 2).grey, (std::vector<std::uint8_t>{177}));
 }
 
 }  // namespace

@@ -94,6 +94,7 @@ void Canvas::enter_layer(LayerId layer) {
 }
 
 void Canvas::leave_layer() {
+  stroker_.flush();
   const double opacity = sheet_.layers[*layer_].opacity;
   if (opacity >= 1.0) return;
   cairo_pop_group_to_source(to_);
@@ -101,7 +102,11 @@ void Canvas::leave_layer() {
 }
 
 void Canvas::begin_contour() {
-  if (head_.paint == Paint::stroke) stroker_.begin_contour(head_.closed);
+  if (head_.paint == Paint::stroke) {
+    stroker_.begin_contour(head_.closed);
+  } else {
+    stroker_.flush();
+  }
 }
 
 void Canvas::end_contour() {

@@ -65,6 +65,7 @@ Vec2 beyond(Vec2 before, Vec2 end, double by) {
 }  // namespace
 
 void Stroker::set_style(const StrokeStyle& style) {
+  flush();
   style_ = style;
   style_.width = std::min(style.width, farthest);
   style_.miter_limit = std::clamp(style.miter_limit, 1.0, std::max(1.0, 2.0 * farthest / style_.width));
@@ -77,10 +78,27 @@ void Stroker::set_style(const StrokeStyle& style) {
     dash_period_ *= 2.0;
   }
   cairo_set_line_width(to_, style_.width);
-  cairo_set_line_cap(to_, cairo_cap(style_.cap));
   cairo_set_line_join(to_, cairo_join(style_.join));
   cairo_set_miter_limit(to_, style_.miter_limit);
-  cairo_set_dash(to_, nullptr, 0, 0.0);
+}
+
+void Stroker::flush() {
+  if (gathered_segments_ == 0) return;
+  cairo_set_line_cap(to_, gathered_.cap);
+  if (gathered_.dash_phase) {
+    cairo_set_dash(to_, style_.dashes.data(), static_cast<int>(style_.dashes.size()), *gathered_.dash_phase);
+  } else {
+    cairo_set_dash(to_, nullptr, 0, 0.0);
+  }
+  cairo_stroke(to_);
+  gathered_segments_ = 0;
+}
+
+/// What goes into Cairo's path next, and has this many segments, is to be stroked like this.
+void Stroker::gather(const Gathered& as, std::size_t segments) {
+  if (gathered_ != as || gathered_segments_ + segments > piece_segments) flush();
+  gathered_ = as;
+  gathered_segments_ += segments;
 }
 
 void Stroker::begin_contour(bool closed) {
@@ -176,15 +194,14 @@ void Stroker::close() {
 
 void Stroker::stroke_piece(Tail tail) {
   if (piece_.size() < 2) return;
-  if (dashed()) {
-    cairo_set_dash(to_, style_.dashes.data(), static_cast<int>(style_.dashes.size()), dash_phase(piece_begin_));
-  }
   const bool cap_at_front = piece_starts_contour_ && !closed_;
   const bool cap_at_back = tail == Tail::real_end && !closed_;
   if (whole_ || dashed() || style_.cap == Cap::butt) {
+    Gathered as{.cap = cairo_cap(style_.cap)};
+    if (dashed()) as.dash_phase = dash_phase(piece_begin_);
+    gather(as, piece_.size());
     path_through_piece();
     if (closed_ && tail == Tail::real_end) cairo_close_path(to_);
-    cairo_stroke(to_);
   } else {
     stroke_piece_with_caps(cap_at_front, cap_at_back);
   }
@@ -192,14 +209,12 @@ void Stroker::stroke_piece(Tail tail) {
 
 /// Cairo would give both ends of the piece a cap: here they get their own, or none.
 void Stroker::stroke_piece_with_caps(bool at_front, bool at_back) {
-  cairo_set_line_cap(to_, CAIRO_LINE_CAP_BUTT);
   if (style_.cap == Cap::square) {
     if (at_front) piece_.front() = beyond(piece_[1], piece_.front(), 0.5 * style_.width);
     if (at_back) piece_.back() = beyond(piece_[piece_.size() - 2], piece_.back(), 0.5 * style_.width);
   }
+  gather({.cap = CAIRO_LINE_CAP_BUTT}, piece_.size());
   path_through_piece();
-  cairo_stroke(to_);
-  cairo_set_line_cap(to_, cairo_cap(style_.cap));
   if (style_.cap == Cap::round) {
     if (at_front) stroke_dot(piece_.front());
     if (at_back) stroke_dot(piece_.back());
@@ -208,14 +223,11 @@ void Stroker::stroke_piece_with_caps(bool at_front, bool at_back) {
 
 void Stroker::stroke_dot(Vec2 at) {
   if (style_.cap == Cap::butt) return;
-  cairo_set_dash(to_, nullptr, 0, 0.0);
   // Cairo draws no square about a point: it would not know its direction.
   const double half = style_.cap == Cap::square ? 0.5 * style_.width : 0.0;
-  cairo_set_line_cap(to_, style_.cap == Cap::square ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+  gather({.cap = style_.cap == Cap::square ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND}, 1);
   cairo_move_to(to_, at.x - half, at.y);
   cairo_line_to(to_, at.x + half, at.y);
-  cairo_stroke(to_);
-  cairo_set_line_cap(to_, cairo_cap(style_.cap));
 }
 
 void Stroker::path_through_piece() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct StrokeStyle {
   double dash_offset = 0.0;
 };
 
-/// Strokes contours with Cairo, in pieces: one long path costs Cairo superlinear time and 640 bytes a segment.
+/// Strokes contours with Cairo: many short ones at once, since the soft edges of strokes drawn one over another darken
+/// where they meet, and long ones in pieces, since one long path costs Cairo superlinear time and 640 bytes a segment.
 ///
 /// Pieces lie over each other a little at a cut, so that it does not show; caps are drawn at the real ends only, every
 /// join is drawn whole. Dashed contours are cut only where a vertex falls between two dashes. What lies too far outside
@@ -34,7 +36,7 @@ struct StrokeStyle {
 /// closes). Memory: one piece; a dashed contour without a vertex between two dashes: all of it.
 class Stroker {
  public:
-  static constexpr std::size_t piece_segments = 500;
+  static constexpr std::size_t piece_segments = 8000;
 
   /// `page`: what can be seen, in device units. `grain`: inner points of a full line that are no farther than this from
   /// the last one are left out.
@@ -42,6 +44,9 @@ class Stroker {
 
   /// For the contours that follow. Between contours only.
   void set_style(const StrokeStyle& style);
+
+  /// Draws what is held back. Between contours; before anything else is done to the surface.
+  void flush();
 
   /// begin_contour add+ end_contour.
   void begin_contour(bool closed);
@@ -60,6 +65,14 @@ class Stroker {
   void stroke_piece_with_caps(bool at_front, bool at_back);
   void stroke_dot(Vec2 at);
   void path_through_piece();
+
+  /// How Cairo is to stroke the path it has been given so far.
+  struct Gathered {
+    cairo_line_cap_t cap = CAIRO_LINE_CAP_ROUND;
+    std::optional<double> dash_phase{};  ///< unset: a full line
+    friend bool operator==(const Gathered&, const Gathered&) = default;
+  };
+  void gather(const Gathered& as, std::size_t segments);
   bool dashed() const { return dash_period_ > 0.0; }
   double dash_phase(double length) const;
   bool between_dashes(double length) const;
@@ -70,6 +83,9 @@ class Stroker {
   double grain_;
   StrokeStyle style_;
   double dash_period_ = 0.0;  ///< 0: a full line
+
+  Gathered gathered_;
+  std::size_t gathered_segments_ = 0;
 
   std::vector<Vec2> piece_;  ///< not drawn yet, all inside box_; empty while the contour is outside
   bool piece_starts_contour_ = false;

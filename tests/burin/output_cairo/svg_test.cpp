@@ -17,7 +17,7 @@ bool has(const std::string& text, const std::string& part) {
 TEST(CairoSvg, IsInMillimetres) {
   const std::string svg = drawn("svg", small_sheet(), draw_cross);
   EXPECT_TRUE(has(svg, "width=\"20mm\" height=\"10mm\" viewBox=\"0 0 20 10\"")) << svg;
-  EXPECT_TRUE(has(svg, "d=\"M 1 1 L 19 9 \"")) << svg;
+  EXPECT_TRUE(has(svg, "d=\"M 1 1 L 19 9 M 1 9 L 19 1 \"")) << svg;
   EXPECT_TRUE(has(svg, "stroke-width:1;")) << svg;
   EXPECT_FALSE(has(svg, "transform")) << svg;
 }
