@@ -33,9 +33,15 @@ const std::vector<Room> rooms{
 };
 
 const std::vector<Library> third_parties{
-    {"toml++/", "src/burin/preset/"}, {"muParser", "src/burin/expr/"}, {"cairo", "src/burin/output_cairo/", false},
-    {"png.h", "src/burin/output/"},   {"stb/", "src/burin/output/"},   {"libdeflate.h", "src/burin/output/"},
-    {"boost/", "src/cli/"},           {"oneapi/", "src/cli/"},         {"zlib.h", "src/cli/recover/"},
+    {"toml++/", {"src/burin/preset/"}},
+    {"muParser", {"src/burin/expr/"}},
+    {"cairo", {"src/burin/output_cairo/"}, false},
+    {"png.h", {"src/burin/data/", "src/burin/output/"}},  // reads, writes
+    {"stb/", {"src/burin/output/"}},
+    {"libdeflate.h", {"src/burin/output/"}},
+    {"boost/", {"src/cli/"}},
+    {"oneapi/", {"src/cli/"}},
+    {"zlib.h", {"src/cli/recover/"}},
 };
 
 constexpr int max_lines = 500;
@@ -143,7 +149,10 @@ TEST(ArchitectureRules, LibrariesHaveOneHome) {
   EXPECT_EQ(libraries(one("src/cli/a.cpp", "#include <cairo.h>\n"), third_parties).size(), 1U);
   EXPECT_EQ(libraries(one("src/burin/output/a.cpp", "#include <cairo-pdf.h>\n"), third_parties).size(), 1U);
   EXPECT_EQ(libraries(one("src/burin/curves/a.cpp", "#include <muParser.h>\n"), third_parties).size(), 1U);
-  EXPECT_EQ(libraries(one("src/burin/data/a.cpp", "#include <png.h>\n"), third_parties).size(), 1U);
+  EXPECT_EQ(libraries(one("src/burin/curves/a.cpp", "#include <png.h>\n"), third_parties).size(), 1U);
+  const std::string png = "#include <png.h>\n";
+  EXPECT_TRUE(libraries({{"src/burin/data/a.cpp", png}, {"src/burin/output/a.cpp", png}}, third_parties).empty());
+  EXPECT_EQ(libraries({{"src/burin/data/a.cpp", png}, {"src/burin/data/b.cpp", png}}, third_parties).size(), 1U);
   EXPECT_EQ(libraries(one("src/burin/data/a.cpp", "#include <boost/program_options.hpp>\n"), third_parties).size(), 1U);
   const std::string toml = "#include <toml++/toml.h>\n";
   EXPECT_EQ(libraries({{"src/burin/preset/a.cpp", toml}, {"src/burin/preset/b.cpp", toml}}, third_parties).size(), 1U);

@@ -9,10 +9,12 @@ cmake --build --preset fuzz
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-for target in svg_path preset; do
+for target in svg_path png preset; do
   mkdir "$work/$target"
   if [[ $target == preset ]]; then
     cp presets/*.toml "$work/$target"
+  elif [[ $target == png ]]; then
+    cp gallery/*.png "$work/$target"
   else
     printf 'M0 0c1 1 2-1e-3.5.5zm1 1a1 1 0 01.5.5' > "$work/$target/seed"
   fi

@@ -192,26 +192,30 @@ Violations map_of_rooms(std::string_view readme, const std::vector<std::string>&
 
 Violations libraries(const std::vector<File>& files, const std::vector<Library>& libraries) {
   Violations found;
-  std::map<std::string_view, std::set<std::string>> users;
+  std::map<std::pair<std::string_view, std::string_view>, std::set<std::string>> users;
   for (const File& file : files) {
     if (!is_source(file.path)) continue;
     for (const Include& include : includes_of(file)) {
       for (const Library& library : libraries) {
         if (!std::string_view(include.header).starts_with(library.header)) continue;
-        if (!std::string_view(file.path).starts_with(library.home)) {
-          found.push_back(place(file, include.line) + include.header + " may be named in " + std::string(library.home) +
-                          " only");
+        const auto home = std::find_if(library.homes.begin(), library.homes.end(), [&](std::string_view prefix) {
+          return std::string_view(file.path).starts_with(prefix);
+        });
+        if (home == library.homes.end()) {
+          std::string all;
+          for (const std::string_view prefix : library.homes) all += " " + std::string(prefix);
+          found.push_back(place(file, include.line) + include.header + " may be named only in" + all);
+        } else if (library.one_file) {
+          users[{library.header, *home}].insert(file.path);
         }
-        users[library.header].insert(file.path);
       }
     }
   }
-  for (const Library& library : libraries) {
-    const std::set<std::string>& by = users[library.header];
-    if (!library.one_file || by.size() <= 1) continue;
+  for (const auto& [library, by] : users) {
+    if (by.size() <= 1) continue;
     std::string all;
     for (const std::string& path : by) all += " " + path;
-    found.push_back(std::string(library.header) + ": named in more than one file:" + all);
+    found.push_back(std::string(library.first) + ": named in more than one file:" + all);
   }
   return found;
 }

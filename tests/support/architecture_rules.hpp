@@ -22,9 +22,9 @@ struct Room {
 
 /// A library that only one place may name.
 struct Library {
-  std::string_view header;  ///< how its includes begin: "toml++/"
-  std::string_view home;    ///< path prefix: "src/burin/preset/"
-  bool one_file = true;     ///< else any number of files under `home`
+  std::string_view header;              ///< how its includes begin: "toml++/"
+  std::vector<std::string_view> homes;  ///< path prefixes: "src/burin/preset/"
+  bool one_file = true;                 ///< in each home; else any number
 };
 
 using Violations = std::vector<std::string>;
