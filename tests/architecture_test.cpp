@@ -42,6 +42,7 @@ const std::vector<Library> third_parties{
     {"boost/", {"src/cli/"}},
     {"oneapi/", {"src/cli/"}},
     {"zlib.h", {"src/cli/recover/"}},
+    {"pugixml", {"src/burin/data/"}},
 };
 
 constexpr int max_lines = 500;

@@ -1,7 +1,7 @@
 # The Debian packages of the project, and how to get those that are missing. Sourced by ./setup and ./check.
 
 build_packages=(g++ cmake ninja-build pkg-config libcairo2-dev libpng-dev libstb-dev libdeflate-dev libfmt-dev
-  libtomlplusplus-dev libmuparser-dev libboost-program-options-dev libtbb-dev zlib1g-dev)
+  libtomlplusplus-dev libmuparser-dev libpugixml-dev libboost-program-options-dev libtbb-dev zlib1g-dev)
 
 # What the tests need besides.
 test_packages=(libgtest-dev nlohmann-json3-dev)
