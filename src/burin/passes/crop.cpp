@@ -40,12 +40,13 @@ Vec2 clamped(const Box2& box, Vec2 p) {
 
 }  // namespace
 
-Crop::Crop(PathSink& next, const Box2& box) : Decorator(next), box_(box), pieces_(next), buffer_(next) {
+Crop::Crop(PathSink& next, const Box2& box) : Decorator(next), box_(box), strokes_(next), buffer_(next) {
   BURIN_EXPECT(!box.empty());
 }
 
 Flow Crop::begin(const PathHead& head) {
   head_ = head;
+  strokes_.set_head(head);
   has_point_ = false;
   filling_ = false;
   return Flow::go;
@@ -56,15 +57,11 @@ Flow Crop::points(std::span<const Vec2> points) {
     if (head_.paint != Paint::stroke) {
       if (fill_to(0, point) == Flow::stop) return Flow::stop;
     } else if (!has_point_) {
-      first_ = point;
-      left_ = !box_.contains(point);
-      opening_.clear();
-      if (head_.closed && !left_) opening_.push_back(point);
+      strokes_.start(point, box_.contains(point));
     } else if (stroke_to(point) == Flow::stop) {
       return Flow::stop;
     }
     has_point_ = true;
-    last_ = point;
   }
   return Flow::go;
 }
@@ -86,44 +83,19 @@ Flow Crop::place(const PathHead& head, const Figure& figure, const Affine2& at) 
 }
 
 Flow Crop::stroke_to(Vec2 to) {
-  const Inside part = inside(box_, last_, to);
-  const bool leaves = !box_.contains(to);
-  if (!left_ && head_.closed) {
-    if (!leaves) {
-      opening_.push_back(to);
-      return Flow::go;
-    }
-    opening_.push_back(clamped(box_, last_ + part.to * (to - last_)));
-    left_ = true;
-    return Flow::go;
-  }
-  left_ = left_ || leaves;
-  if (!part.any()) return pieces_.lift();
-  const Vec2 direction = to - last_;
-  const Vec2 from = part.from == 0.0 ? last_ : clamped(box_, last_ + part.from * direction);
-  const Vec2 until = part.to == 1.0 ? to : clamped(box_, last_ + part.to * direction);
-  if (pieces_.draw(head_, from, until) == Flow::stop) return Flow::stop;
-  return leaves ? pieces_.lift() : Flow::go;
-}
-
-Flow Crop::whole(std::span<const Vec2> points) {
-  if (next().begin(head_) == Flow::stop || next().points(points) == Flow::stop) return Flow::stop;
-  return next().end();
+  const Vec2 last = strokes_.last();
+  const Inside part = inside(box_, last, to);
+  if (!part.any()) return strokes_.line_to(to, {});
+  const Vec2 direction = to - last;
+  const Segment left{part.from == 0.0 ? last : clamped(box_, last + part.from * direction),
+                     part.to == 1.0 ? to : clamped(box_, last + part.to * direction)};
+  return strokes_.line_to(to, {&left, 1});
 }
 
 Flow Crop::finish_stroke() {
   if (!has_point_) return Flow::go;
-  if (!head_.closed) {
-    if (pieces_.down() || left_) return pieces_.lift();
-    return whole({&first_, 1});  // a dot has no segment that could have drawn it
-  }
-  if (!left_) return whole(opening_);
-  if (stroke_to(first_) == Flow::stop) return Flow::stop;
-  // The way back to the first point and the way from it are one stroke.
-  for (std::size_t i = 1; i < opening_.size(); ++i) {
-    if (pieces_.draw(head_, opening_[i - 1], opening_[i]) == Flow::stop) return Flow::stop;
-  }
-  return pieces_.lift();
+  if (strokes_.needs_closing() && stroke_to(strokes_.first()) == Flow::stop) return Flow::stop;
+  return strokes_.finish();
 }
 
 double Crop::depth(std::size_t border, Vec2 point) const {

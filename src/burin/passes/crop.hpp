@@ -2,12 +2,11 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include <burin/geom/box2.hpp>
+#include <burin/passes/cut_strokes.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/path/point_buffer.hpp>
-#include <burin/path/stroke_pieces.hpp>
 
 namespace burin::passes {
 
@@ -15,7 +14,7 @@ namespace burin::passes {
 /// closed stroke that never leaves the box stays closed. Fills become the part of their area inside: contours keep
 /// their windings, and run along the border where they were cut. What only touches the box may go or stay.
 ///
-/// Memory: the part of a closed stroke before it first leaves the box, else O(1). Time O(1) a point.
+/// Memory: the part of a closed stroke before it first leaves the box, else O(1). Time: O(1) a point.
 class Crop final : public Decorator {
  public:
   /// Pre: the box is not empty.
@@ -36,7 +35,6 @@ class Crop final : public Decorator {
   };
 
   Flow stroke_to(Vec2 to);
-  Flow whole(std::span<const Vec2> points);
   Flow finish_stroke();
   Flow fill_to(std::size_t border, Vec2 to);
   Flow finish_fill();
@@ -47,15 +45,10 @@ class Crop final : public Decorator {
   Vec2 at_border(std::size_t border, Vec2 from, Vec2 to) const;
 
   Box2 box_;
-  StrokePieces pieces_;
+  CutStrokes strokes_;
   PointBuffer buffer_;  ///< of a fill
   PathHead head_{};
   bool has_point_ = false;
-  Vec2 first_{};
-  Vec2 last_{};
-
-  bool left_ = false;          ///< the contour has been outside
-  std::vector<Vec2> opening_;  ///< a closed stroke from its first point until it leaves the box
 
   std::array<Border, 4> borders_{};
   bool filling_ = false;       ///< the fill's path is begun

@@ -7,13 +7,16 @@
 #include <burin/passes/crop.hpp>
 #include <burin/path/recording.hpp>
 
+#include "support/polygons.hpp"
 #include "support/random_paths.hpp"
 #include "support/trace_sink.hpp"
 
 namespace burin::passes {
 namespace {
 
+using test::contours_of;
 using test::DrawnPath;
+using test::winding;
 
 const Box2 window{{20, 30}, {120, 90}};
 
@@ -37,32 +40,6 @@ double length_inside(const Box2& box, Vec2 p, Vec2 q) {
     if (box.contains(p + 0.5 * (cuts[i - 1] + cuts[i]) * (q - p))) sum += (cuts[i] - cuts[i - 1]) * distance(p, q);
   }
   return sum;
-}
-
-/// How often the contours wind around a point.
-int winding(const std::vector<std::vector<Vec2>>& contours, Vec2 at) {
-  int turns = 0;
-  for (const std::vector<Vec2>& contour : contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Vec2 p = contour[i];
-      const Vec2 q = contour[(i + 1) % contour.size()];
-      if ((p.y <= at.y) == (q.y <= at.y)) continue;
-      const double x = p.x + (at.y - p.y) / (q.y - p.y) * (q.x - p.x);
-      if (x > at.x) turns += q.y > p.y ? 1 : -1;
-    }
-  }
-  return turns;
-}
-
-std::vector<std::vector<Vec2>> contours_of(const Recording& recording) {
-  std::vector<std::vector<Vec2>> all;
-  for (const Recording::Path& path : recording.paths()) {
-    for (const Recording::Contour& contour : recording.contours(path)) {
-      const auto points = recording.points(contour);
-      all.emplace_back(points.begin(), points.end());
-    }
-  }
-  return all;
 }
 
 TEST(Crop, KeepsTheLengthInsideAndNothingElse) {
