@@ -17,11 +17,16 @@ void TbbExecutor::run(std::size_t count, const std::function<void(std::size_t)>&
   const tbb::global_control more(tbb::global_control::max_allowed_parallelism, workers);
   tbb::task_arena arena(static_cast<int>(workers));
   std::atomic<std::size_t> next = 0;
+  // oneTBB itself orders what is done before, in and after the loop. The thread sanitizer does not see into it, but
+  // into these.
+  std::atomic<std::size_t> ended = 0;
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, workers, [&](std::size_t) {
       for (std::size_t i = next++; i < count; i = next++) task(i);
+      ended.fetch_add(1, std::memory_order_release);
     });
   });
+  static_cast<void>(ended.load(std::memory_order_acquire));
 }
 
 }  // namespace burin::cli
