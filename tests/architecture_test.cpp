@@ -22,7 +22,7 @@ const std::vector<Room> rooms{
     {"curves", {"path", "params", "expr", "data"}},
     {"primitives", {"path", "params", "expr", "data"}},
     {"passes", {"path", "params"}},
-    {"measure", {"path"}},
+    {"measure", {"path", "data"}},
     {"scene", {"path", "params", "expr", "data"}},
     {"forms", {"scene"}},
     {"output", {"path"}},

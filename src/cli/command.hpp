@@ -36,6 +36,7 @@ Command show_command();
 Command check_command();
 Command new_command();
 Command gallery_command();
+Command measure_command();
 
 /// All commands, in the order of the help.
 std::span<const Command> commands();

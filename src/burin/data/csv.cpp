@@ -57,6 +57,7 @@ bool is_named(std::string_view field, char name) {
 struct Columns {
   std::size_t x = 0;
   std::size_t y = 1;
+  std::vector<std::size_t> of_path{};  ///< those called layer and path: a new path where one of them changes
 };
 
 /// The columns called x and y; the first two when one of the names is missing.
@@ -66,8 +67,15 @@ Columns columns_of(const std::vector<std::string_view>& header) {
   };
   const auto x = find('x');
   const auto y = find('y');
-  if (x == header.end() || y == header.end()) return {};
-  return {static_cast<std::size_t>(x - header.begin()), static_cast<std::size_t>(y - header.begin())};
+  Columns columns;
+  if (x != header.end() && y != header.end()) {
+    columns.x = static_cast<std::size_t>(x - header.begin());
+    columns.y = static_cast<std::size_t>(y - header.begin());
+  }
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (header[i] == "layer" || header[i] == "path") columns.of_path.push_back(i);
+  }
+  return columns;
 }
 
 class Reader {
@@ -94,6 +102,9 @@ class Reader {
     return std::move(points_);
   }
 
+  /// Where the paths begin.
+  const std::vector<std::size_t>& starts() const { return starts_; }
+
  private:
   void take_point(std::string_view line, int number) {
     const std::size_t wanted = std::max(columns_.x, columns_.y) + 1;
@@ -111,7 +122,18 @@ class Reader {
       full_ = true;
       return;
     }
+    if (is_new_path()) starts_.push_back(points_.size());
     points_.push_back({*x, *y});
+  }
+
+  bool is_new_path() {
+    std::string path;
+    for (const std::size_t column : columns_.of_path) {
+      if (column < fields_.size()) path += std::string(fields_[column]) + '\n';
+    }
+    if (!points_.empty() && path == path_) return false;
+    path_ = std::move(path);
+    return true;
   }
 
   std::optional<double> coordinate(std::string_view line, int number, std::size_t column) {
@@ -130,22 +152,44 @@ class Reader {
   Columns columns_;
   std::vector<std::string_view> fields_;
   std::vector<Vec2> points_;
+  std::vector<std::size_t> starts_;
+  std::string path_;  ///< what the columns of the path say
   Problems problems_;
   bool full_ = false;
 };
 
-}  // namespace
-
-Result<std::vector<Vec2>> read_csv_points(std::string_view text, const std::string& file) {
+/// Hands every line to the reader.
+void read_lines(std::string_view text, Reader& reader) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  Reader reader(file);
   int number = 0;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     if (!reader.take_line(text.substr(0, end), ++number)) break;
     text.remove_prefix(std::min(end + 1, text.size()));
   }
+}
+
+}  // namespace
+
+Result<std::vector<Vec2>> read_csv_points(std::string_view text, const std::string& file) {
+  Reader reader(file);
+  read_lines(text, reader);
   return std::move(reader).result();
+}
+
+Result<std::vector<std::vector<Vec2>>> read_csv_paths(std::string_view text, const std::string& file) {
+  Reader reader(file);
+  read_lines(text, reader);
+  const std::vector<std::size_t> starts = reader.starts();
+  const Result<std::vector<Vec2>> points = std::move(reader).result();
+  if (!points) return points.problems();
+  std::vector<std::vector<Vec2>> paths;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : points->size();
+    paths.emplace_back(points->begin() + static_cast<std::ptrdiff_t>(starts[i]),
+                       points->begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return paths;
 }
 
 }  // namespace burin::data

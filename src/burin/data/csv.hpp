@@ -14,4 +14,8 @@ namespace burin::data {
 /// `file` and the line. At most 10^7 points.
 Result<std::vector<Vec2>> read_csv_points(std::string_view text, const std::string& file);
 
+/// The same points as paths: a new one begins where the columns called layer or path change, as burin's own CSV has
+/// them; without such columns all points are one.
+Result<std::vector<std::vector<Vec2>>> read_csv_paths(std::string_view text, const std::string& file);
+
 }  // namespace burin::data

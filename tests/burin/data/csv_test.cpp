@@ -72,5 +72,18 @@ TEST(Csv, RefusesWhatIsNoPoint) {
   EXPECT_EQ(first_problem("1;2\n1,5;2,5\n").where.line, 2) << "a decimal comma is no number";
 }
 
+TEST(CsvPaths, BeginWhereTheirColumnsChange) {
+  const auto paths = read_csv_paths("layer,path,x,y\na,0,1,2\na,0,3,4\na,1,5,6\nb,1,7,8\n", "f");
+  ASSERT_TRUE(paths);
+  EXPECT_EQ(*paths, (std::vector<std::vector<Vec2>>{{{1, 2}, {3, 4}}, {{5, 6}}, {{7, 8}}}));
+}
+
+TEST(CsvPaths, AreOneWithoutSuchColumns) {
+  const auto paths = read_csv_paths("x,y\n1,2\n3,4\n", "f");
+  ASSERT_TRUE(paths);
+  EXPECT_EQ(*paths, (std::vector<std::vector<Vec2>>{{{1, 2}, {3, 4}}}));
+  EXPECT_FALSE(read_csv_paths("x,y\n", "f"));
+}
+
 }  // namespace
 }  // namespace burin::data
