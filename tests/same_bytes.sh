@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # same_bytes.sh: builds the tool with g++ and clang at -O0 and -O3, draws every shipped preset with each as SVG, PNG, CSV
-# and dump, and fails on the first file that is not the same byte for byte.
+# and dump, and fails on the first file that is not the same byte for byte. Each must also draw the goldens as they are.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -23,6 +23,7 @@ for build in "${builds[@]}"; do
     "$folder/bin/burin" draw "$preset" -o "$pictures/$name.svg" -o "$pictures/$name.png" -o "$pictures/$name.csv" \
       -o "$pictures/$name.dump" > /dev/null
   done
+  "$folder/bin/burin" golden tests/golden --quiet
   if [[ -z $first ]]; then
     first=$pictures
   elif ! diff -rq "$first" "$pictures"; then

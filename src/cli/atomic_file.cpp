@@ -145,4 +145,12 @@ int AtomicFile::replace_target() {
   return 0;
 }
 
+Result<Done> write_file(const std::string& path, std::string_view bytes, Temporaries& temporaries,
+                        const std::stop_token& stop) {
+  const Result<std::unique_ptr<AtomicFile>> file = AtomicFile::open(path, temporaries, stop);
+  if (!file) return file.problems();
+  static_cast<void>((*file)->write(bytes));  // commit() tells what failed
+  return (*file)->commit();
+}
+
 }  // namespace burin::cli

@@ -55,4 +55,8 @@ class AtomicFile final : public ByteSink {
   int error_ = 0;
 };
 
+/// A whole file at once, by an AtomicFile.
+Result<Done> write_file(const std::string& path, std::string_view bytes, Temporaries& temporaries,
+                        const std::stop_token& stop);
+
 }  // namespace burin::cli

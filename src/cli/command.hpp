@@ -37,6 +37,8 @@ Command check_command();
 Command new_command();
 Command gallery_command();
 Command measure_command();
+Command golden_command();
+Command diff_command();
 
 /// All commands, in the order of the help.
 std::span<const Command> commands();

@@ -7,11 +7,12 @@ namespace burin::cli {
 /// How the tool ends; the numbers are documented and stable.
 enum class ExitCode : int {
   done = 0,
-  failure = 1,  ///< something that should not happen
-  usage = 2,    ///< the command line is wrong
-  input = 3,    ///< a preset or its data is wrong
-  limit = 4,    ///< more was asked for than the limits allow
-  output = 5,   ///< a result could not be written
+  failure = 1,    ///< something that should not happen
+  different = 1,  ///< what was compared is not the same
+  usage = 2,      ///< the command line is wrong
+  input = 3,      ///< a preset or its data is wrong
+  limit = 4,      ///< more was asked for than the limits allow
+  output = 5,     ///< a result could not be written
   interrupted = 130,
   terminated = 143,
 };

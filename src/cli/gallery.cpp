@@ -171,14 +171,6 @@ ExitCode check(const Request& request, const GalleryFiles& files, bool quiet, co
   return ExitCode::input;
 }
 
-Result<Done> write_file(const std::string& path, const std::string& bytes, Temporaries& temporaries,
-                        const std::stop_token& stop) {
-  const Result<std::unique_ptr<AtomicFile>> file = AtomicFile::open(path, temporaries, stop);
-  if (!file) return file.problems();
-  static_cast<void>((*file)->write(bytes));  // commit() tells what failed
-  return (*file)->commit();
-}
-
 ExitCode write_all_files(const Request& request, const GalleryFiles& files, bool quiet, const Console& console) {
   Temporaries temporaries;
   const Interrupt interrupt([&temporaries] { temporaries.remove_all(); });
