@@ -2,96 +2,120 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include <burin/burin.hpp>
+#include <burin/curves/two_point/named_motifs.hpp>
+#include <burin/preset/symmetry.hpp>
 
-/// Golden drawings: tests/golden/TOPIC/CASE.toml and beside it the canonical dump it must give, byte for byte.
-namespace burin {
+#include "support/run_tool.hpp"
+
+/// The repository's goldens, tests/golden/TOPIC/CASE.toml with .dump and .png, by the command that others use for
+/// theirs. `burin golden tests/golden --bless` writes them anew; so does BURIN_BLESS=1 with these tests, which fail
+/// then.
+namespace burin::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_file(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
+const fs::path tests_folder = fs::path(BURIN_SOURCE_DIR) / "tests";
+
+Finished golden(const fs::path& folder, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{BURIN_TOOL_PATH, "golden", folder.string(), "--threads", "1"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_program(words, {});
 }
 
-fs::path folder() {
-  return fs::path(BURIN_SOURCE_DIR) / "tests" / "golden";
-}
-
-std::string dump_of(const fs::path& preset) {
-  const Result<preset::Plan> plan = load({preset.filename().string(), read_file(preset)});
-  if (!plan) return problems_text(plan.problems());
-  StringSink bytes;
-  const Result<Done> written = write(*plan, "dump", bytes);
-  return written ? bytes.text() : problems_text(written.problems());
-}
-
-/// Where two texts part: the first line that differs, of both; empty when they are the same.
-std::string difference(const std::string& golden, const std::string& drawn) {
-  if (golden == drawn) return {};
-  std::istringstream a(golden);
-  std::istringstream b(drawn);
-  std::string golden_line;
-  std::string drawn_line;
-  for (int line = 1;; ++line) {
-    const bool more_golden = static_cast<bool>(std::getline(a, golden_line));
-    const bool more_drawn = static_cast<bool>(std::getline(b, drawn_line));
-    if (golden_line != drawn_line || more_golden != more_drawn) {
-      return "line " + std::to_string(line) + "\n  golden: " + (more_golden ? golden_line.substr(0, 200) : "(ends)") +
-             "\n  drawn:  " + (more_drawn ? drawn_line.substr(0, 200) : "(ends)");
-    }
-    if (!more_golden) return "only the ends of their last lines";
+std::vector<std::string> topics() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(tests_folder / "golden")) {
+    if (entry.is_directory()) names.push_back(entry.path().filename().string());
   }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
-std::vector<std::string> cases() {
-  std::vector<std::string> found;
-  for (const auto& entry : fs::recursive_directory_iterator(folder())) {
-    if (entry.path().extension() == ".toml")
-      found.push_back(fs::relative(entry.path(), folder()).replace_extension().string());
+std::vector<fs::path> presets() {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::recursive_directory_iterator(tests_folder / "golden")) {
+    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
   }
-  std::sort(found.begin(), found.end());
-  return found;
+  return paths;
 }
 
-class Golden : public ::testing::TestWithParam<std::string> {};
+class Golden : public testing::TestWithParam<std::string> {};
 
-TEST_P(Golden, DrawsItsDump) {
-  const fs::path preset = folder() / (GetParam() + ".toml");
-  const fs::path dump = folder() / (GetParam() + ".dump");
-  const std::string drawn = dump_of(preset);
-  const std::string golden = read_file(dump);
-  // Proves that a wrong drawing is found; never blessed.
-  const bool wrong_on_purpose = GetParam() == "wrong-on-purpose";
-  if (std::getenv("BURIN_BLESS") != nullptr && !wrong_on_purpose) std::ofstream(dump) << drawn;
-  const std::string parted = difference(golden, drawn);
-  EXPECT_EQ(parted.empty(), !wrong_on_purpose) << parted << "\n(BURIN_BLESS=1 writes it anew)";
+TEST_P(Golden, IsWhatIsDrawn) {
+  const fs::path folder = tests_folder / "golden" / GetParam();
+  const Finished check = golden(folder);
+  if (std::getenv("BURIN_BLESS") != nullptr) golden(folder, {"--bless"});
+  EXPECT_EQ(check.code, 0) << check.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Golden, ::testing::ValuesIn(cases()), [](const auto& golden) {
-  std::string name = golden.param;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+INSTANTIATE_TEST_SUITE_P(Topics, Golden, testing::ValuesIn(topics()), [](const auto& topic) {
+  std::string name = topic.param;
+  std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
 
-TEST(GoldenFolder, HasADumpForEveryCaseAndACaseForEveryDump) {
-  const std::vector<std::string> presets = cases();
-  EXPECT_GE(presets.size(), 40U);
-  for (const auto& entry : fs::recursive_directory_iterator(folder())) {
-    if (entry.path().extension() != ".dump") continue;
-    const std::string name = fs::relative(entry.path(), folder()).replace_extension().string();
-    EXPECT_TRUE(std::binary_search(presets.begin(), presets.end(), name)) << name << ".dump has no preset";
+/// Proves that a wrong drawing is found. Never blessed: it stands in a folder of its own.
+TEST(GoldenThatFails, DoesInItsDumpAndInItsPicture) {
+  const fs::path folder = tests_folder / "golden_that_fails";
+  const Finished check = golden(folder);
+  EXPECT_EQ(check.code, 1);
+  EXPECT_NE(check.err.find("wrong-on-purpose.dump: line 7 is not the same\n"), std::string::npos) << check.err;
+  EXPECT_NE(check.err.find("wrong-on-purpose.png: "), std::string::npos) << check.err;
+  EXPECT_NE(check.err.find(" pixels are not the same: max "), std::string::npos) << check.err;
+}
+
+// What there must be goldens of.
+
+std::string all_text() {
+  std::string all;
+  for (const fs::path& path : presets()) {
+    std::ifstream in(path, std::ios::binary);
+    all.append(std::istreambuf_iterator<char>(in), {});
+  }
+  return all;
+}
+
+TEST(GoldenFolder, HasManySmallCases) {
+  EXPECT_GE(presets().size(), 150U);
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(tests_folder / "golden")) {
+    if (!entry.is_regular_file()) continue;
+    bytes += entry.file_size();
+    EXPECT_LT(entry.file_size(), 120'000U) << entry.path();
+  }
+  EXPECT_LT(bytes, 3'000'000U);
+}
+
+TEST(GoldenFolder, HasEveryMotifAndEverySymmetry) {
+  const std::string text = all_text();
+  for (const auto& motif : curves::two_point::named_motifs()) {
+    EXPECT_NE(text.find('"' + std::string(motif.name) + '"'), std::string::npos) << motif.name;
+  }
+  for (const std::string_view name : preset::tiling_names()) {
+    EXPECT_NE(text.find("symmetry = \"" + std::string(name) + '"'), std::string::npos) << name;
+  }
+}
+
+TEST(GoldenFolder, HasEveryWordOfStrokesFillsSignsAndFonts) {
+  const std::string text = all_text();
+  for (const char* const word :
+       {"caps = \"butt\"",     "caps = \"round\"",       "caps = \"square\"",  "joins = \"miter\"",
+        "joins = \"round\"",   "joins = \"bevel\"",      "rule = \"nonzero\"", "rule = \"evenodd\"",
+        "sign = \"constant\"", "sign = \"edge\"",        "sign = \"level\"",   "sign = \"level-edge\"",
+        "sign = \"random\"",   "mirror = \"x\"",         "mirror = \"y\"",     "mirror = \"xy\"",
+        "font = \"sans\"",     "font = \"sans-bold\"",   "font = \"serif\"",   "font = \"serif-bold\"",
+        "font = \"italic\"",   "font = \"italic-bold\"", "font = \"script\"",  "font = \"script-bold\"",
+        "font = \"gothic\""}) {
+    EXPECT_NE(text.find(word), std::string::npos) << word;
   }
 }
 
 }  // namespace
-}  // namespace burin
+}  // namespace burin::test
