@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <any>
 #include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,8 +12,10 @@
 #include <burin/curves/family.hpp>
 #include <burin/curves/two_point/dimension.hpp>
 #include <burin/curves/two_point/named_motifs.hpp>
+#include <burin/preset/family_parameters.hpp>
 #include <burin/preset/load.hpp>
 #include <cli/command.hpp>
+#include <cli/file_io.hpp>
 #include <cli/help.hpp>
 #include <cli/motif_file.hpp>
 #include <cli/preset_library.hpp>
@@ -23,6 +28,7 @@ namespace two_point = curves::two_point;
 
 constexpr std::array option_rows{
     OptionRow{"text", 0, "", "print the preset itself"},
+    OptionRow{"parameter", 'D', "NAME=VALUE", "what is known of the curve of a family with this parameter", true},
     OptionRow{"motif", 0, "", "the motif of this name; with -o, the preset's motifs"},
     OptionRow{"output", 'o', "FILE", "draw the motifs: .svg, .pdf, .png, or - for stdout"}};
 
@@ -30,6 +36,7 @@ constexpr std::array examples{
     Example{"burin show koch", "the knobs of a preset, with ranges and defaults"},
     Example{"burin show koch --text", "the preset itself"},
     Example{"burin show two-point", "the parameters of a curve family"},
+    Example{"burin show four-parameter -D lambda=1/8 -D mu=1/8 -D omega=0", "how smooth a scheme's curves are"},
     Example{"burin show gosper", "source, dimension, marks and flags of a motif"},
     Example{"burin show dragon --motif -o motif.svg", "the motif of a preset, large, with its directions"},
     Example{"burin show layer", "the keys of a [[layer]] in a preset"},
@@ -46,10 +53,29 @@ std::string fields_text(const std::vector<params::FieldInfo>& fields) {
   return table_text(rows);
 }
 
-std::string family_text(const curves::Family& family) {
-  return fmt::format("{}: {}\n", family.name, family.summary) +
-         (family.source.empty() ? "" : fmt::format("source: {}\n", family.source)) + '\n' +
-         fields_text(family.fields());
+/// Of a family with parameters given, what is known of the curve; of a family alone, its parameters too.
+ExitCode show_family(const curves::Family& family, const std::vector<std::string>& given, const Console& console) {
+  std::vector<std::pair<std::string, std::string>> values;
+  for (const std::string& text : given) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+      const std::string advice = fmt::format("-D needs a name and a value: -D name=value, not '{}'", text);
+      return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
+    }
+    values.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  const Result<std::any> parameters = preset::family_parameters(family, values, data_reader("."));
+  if (!parameters) return console.fail(parameters.problems());
+  std::string text = fmt::format("{}: {}\n", family.name, family.summary);
+  if (!family.source.empty()) text += wrapped(fmt::format("source: {}", family.source), 0, 0);
+  if (given.empty()) text += '\n' + fields_text(family.fields());
+  if (family.theory == nullptr) {
+    if (given.empty()) return console.print(text);
+    const std::string advice = fmt::format("of '{}' nothing is computed from parameters; leave out -D", family.name);
+    return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
+  }
+  return console.print(text + (given.empty() ? "\nof the curve with these defaults:\n" : "\n") +
+                       family.theory(*parameters));
 }
 
 /// "1, 3": the sub-edges, from 1, that have a flag; "none".
@@ -145,13 +171,18 @@ ExitCode run(const Arguments& arguments, const Console& console) {
   }
   const std::string& name = arguments.words().front();
   const bool only_text = arguments.has("text");
+  const std::vector<std::string> given = arguments.values("parameter");
+  if (!given.empty() && (only_text || arguments.has("motif") || curves::find_family(name) == nullptr)) {
+    const std::string advice = fmt::format("-D NAME=VALUE goes with a curve family; '{}' is none", name);
+    return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
+  }
   if (arguments.has("motif") || arguments.has("output")) {
     if (!only_text && arguments.has("motif")) return show_motif(name, arguments, console);
     const std::string advice = only_text ? "--text and --motif do not go together" : "-o FILE needs --motif";
     return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
   }
   if (only_text || is_preset_path(name) || is_library_preset(name)) return show_preset(name, only_text, console);
-  if (const curves::Family* family = curves::find_family(name)) return console.print(family_text(*family));
+  if (const curves::Family* family = curves::find_family(name)) return show_family(*family, given, console);
   const std::vector<preset::FormatTable> tables = preset::format_tables();
   const auto table =
       std::find_if(tables.begin(), tables.end(), [&](const preset::FormatTable& t) { return t.name == name; });
@@ -165,16 +196,19 @@ ExitCode run(const Arguments& arguments, const Console& console) {
 }  // namespace
 
 Command show_command() {
-  return {"show",
-          "show a preset, a curve family, a motif, or a table's keys",
-          "NAME [--text | --motif [-o FILE]]",
-          "NAME is a preset (a name or a file), a curve family ('burin list families'), a motif ('burin list motifs') "
-          "or a table of the preset format: about, page, knob, pen, slot, layer.\n\n"
-          "In a drawn motif the unit edge is dashed. A half arrow on an edge points the way in which it is built; its "
-          "barb is on its right, or on its left where the edge is mirrored.",
-          option_rows,
-          examples,
-          &run};
+  return {
+      "show",
+      "show a preset, a curve family, a motif, or a table's keys",
+      "NAME [--text | -D NAME=VALUE... | --motif [-o FILE]]",
+      "NAME is a preset (a name or a file), a curve family ('burin list families'), a motif ('burin list motifs') "
+      "or a table of the preset format: about, page, knob, pen, slot, layer.\n\n"
+      "Of a subdivision scheme (de-rham, four-point, four-parameter) it says how smooth the limit is: by the theorems "
+      "of the paper, and proven and excluded by norms and spectral radii; -D gives the scheme its parameters.\n\n"
+      "In a drawn motif the unit edge is dashed. A half arrow on an edge points the way in which it is built; its "
+      "barb is on its right, or on its left where the edge is mirrored.",
+      option_rows,
+      examples,
+      &run};
 }
 
 }  // namespace burin::cli

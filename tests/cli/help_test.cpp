@@ -126,6 +126,47 @@ TEST(Show, PresetFamilyAndTable) {
   EXPECT_TRUE(contains(wrong.err, "did you mean 'koch'")) << wrong.err;
 }
 
+TEST(Show, SubdivisionSchemesSayHowSmoothTheirCurvesAre) {
+  const TemporaryFolder folder;
+  const auto theory = [&](const std::vector<std::string>& parameters) {
+    std::vector<std::string> words{"show", "four-parameter"};
+    for (const std::string& parameter : parameters) words.insert(words.end(), {"-D", parameter});
+    return burin_in(folder, words);
+  };
+  // Fig. 2 b of the paper as it is printed, and corrected.
+  const Finished printed = theory({"lambda=1/80", "mu=1/16", "omega=1/32"});
+  EXPECT_EQ(printed.code, 0) << printed.err;
+  EXPECT_TRUE(contains(printed.out, "Theorem 2 (C1): does not apply, its side condition is 0.05")) << printed.out;
+  EXPECT_TRUE(contains(printed.out, "by the theorems: C0")) << printed.out;
+  EXPECT_TRUE(contains(printed.out, "exponent: 0.9087 to 0.9341")) << printed.out;
+  const Finished corrected = theory({"lambda=1/16", "mu=1/16", "omega=1/32"});
+  EXPECT_TRUE(contains(corrected.out, "by the theorems: C2")) << corrected.out;
+  EXPECT_TRUE(contains(corrected.out, "proven: C2")) << corrected.out;
+  EXPECT_TRUE(contains(corrected.out, "excluded: C3")) << corrected.out;
+  // Its Fig. 4: no theorem holds, and yet the limit is continuous.
+  const Finished rough = theory({"lambda=1/30", "mu=1/30", "omega=1/3"});
+  EXPECT_TRUE(contains(rough.out, "by the theorems: nothing")) << rough.out;
+  EXPECT_TRUE(contains(rough.out, "proven: C0 by the norm of power 3")) << rough.out;
+  EXPECT_TRUE(contains(burin_in(folder, {"show", "de-rham", "-D", "t=1.2"}).out, "does not converge"));
+  EXPECT_TRUE(
+      contains(burin_in(folder, {"show", "four-point", "-D", "w=0.55"}).out, "excluded: C0; the scheme diverges"));
+  // Without -D the parameters come first.
+  const Finished family = burin_in(folder, {"show", "four-point"});
+  EXPECT_TRUE(contains(family.out, "levels")) << family.out;
+  EXPECT_TRUE(contains(family.out, "proven: C1")) << family.out;
+}
+
+TEST(Show, ParametersThatCannotBeAreRefused) {
+  const TemporaryFolder folder;
+  const Finished unknown = burin_in(folder, {"show", "four-parameter", "-D", "omga=1"});
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_TRUE(contains(unknown.err, "did you mean 'omega'")) << unknown.err;
+  EXPECT_EQ(burin_in(folder, {"show", "four-parameter", "-D", "omega=big"}).code, 3);
+  EXPECT_EQ(burin_in(folder, {"show", "four-parameter", "-D", "omega"}).code, 2);
+  EXPECT_EQ(burin_in(folder, {"show", "koch", "-D", "levels=3"}).code, 2);
+  EXPECT_EQ(burin_in(folder, {"show", "two-point", "-D", "levels=3"}).code, 2);
+}
+
 TEST(New, CopiesAPresetAndKeepsWhatIsThere) {
   const TemporaryFolder folder;
   EXPECT_EQ(burin_in(folder, {"new", "mine.toml", "--from", "koch"}).code, 0);

@@ -7,6 +7,8 @@
 
 #include <burin/path/decorators.hpp>
 
+#include "support/json_value.hpp"
+
 namespace burin::testing {
 
 Recording record(std::string_view family, const std::any& params, const DrawContext& context) {
@@ -18,6 +20,18 @@ Recording record(std::string_view family, const std::any& params, const DrawCont
 
 std::vector<Vec2> draw_points(const curves::TwoPointParams& params, std::uint64_t seed) {
   return record("two-point", params, {.seed = seed}).all_points();
+}
+
+std::vector<Vec2> draw_points(std::string_view family, const nlohmann::json& params, const DrawContext& context) {
+  const ReadParams read = read_params(family, params.dump());
+  EXPECT_TRUE(read.params.has_value()) << params.dump() << problems_text(read.problems);
+  return read.params ? record(family, *read.params, context).all_points() : std::vector<Vec2>{};
+}
+
+nlohmann::json json_points(const std::vector<Vec2>& points) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Vec2 p : points) list.push_back({p.x, p.y});
+  return list;
 }
 
 namespace {

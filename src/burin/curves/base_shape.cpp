@@ -153,6 +153,10 @@ bool read_spec(const params::Table& table, const Where& where, BaseShape& base, 
 
 }  // namespace
 
+BaseShape square_base() {
+  return {{named_shape(Shape::square, 0, 0.0)}, "\"square\""};
+}
+
 std::vector<params::FieldInfo> base_fields() {
   return params::field_infos<BaseSpec>();
 }

@@ -28,6 +28,9 @@ struct BaseShape {
   std::size_t edge_count() const;
 };
 
+/// "square": a closed default for families that do nothing to a segment.
+BaseShape square_base();
+
 /// The keys of a base written as a table, for help and docs.
 std::vector<params::FieldInfo> base_fields();
 

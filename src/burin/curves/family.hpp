@@ -3,6 +3,7 @@
 #include <any>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct Family {
   /// Whether another seed gives another curve.
   bool (*uses_seed)(const std::any& parameters);
 
+  /// What is known of the limit for these parameters, line by line, for "burin show"; null: nothing.
+  std::string (*theory)(const std::any& parameters);
+
   /// The parameter to lower when a curve has too many points, for messages: "levels".
   std::string_view cost_knob;
 };
@@ -49,12 +53,16 @@ const Family* find_family(std::string_view name);
 
 /// A row for the catalogue from a struct F that holds a family's functions: `using Params`, and static check
 /// (cross-field rules; false after reporting), bounds, forecast, draw and uses_seed, all for Params instead of
-/// std::any.
+/// std::any; and theory, if there is one.
 template <class F>
 Family make_family(std::string_view name, std::string_view summary, std::string_view source,
                    std::string_view cost_knob) {
   using P = typename F::Params;
   static_assert(params::ParamStruct<P>, "every member of the parameters needs a row in fields()");
+  std::string (*theory)(const std::any&) = nullptr;
+  if constexpr (requires(const P& p) { F::theory(p); }) {
+    theory = [](const std::any& p) { return F::theory(*std::any_cast<P>(&p)); };
+  }
   return {
       .name = name,
       .summary = summary,
@@ -74,6 +82,7 @@ Family make_family(std::string_view name, std::string_view summary, std::string_
       .draw = [](const std::any& p, const DrawContext& context,
                  PathSink& sink) { return F::draw(*std::any_cast<P>(&p), context, sink); },
       .uses_seed = [](const std::any& p) { return F::uses_seed(*std::any_cast<P>(&p)); },
+      .theory = theory,
       .cost_knob = cost_knob,
   };
 }

@@ -1,8 +1,10 @@
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <burin/base/random.hpp>
 #include <burin/path/decorators.hpp>
 
 #include "support/curve_summary.hpp"
@@ -18,6 +20,39 @@ std::vector<std::string> cases_of(std::string_view family) {
     return {R"({"text": "."})", R"({"text": "Àß\n\n œ", "font": "italic-bold", "align": "center", "line_height": 0})",
             R"({"text": "one\r\nthree", "align": "right", "tracking": -1, "slant": 60, "font": "script"})",
             R"({"text": "||||", "tracking": 100, "line_height": 100, "slant": -60, "font": "gothic"})"};
+  }
+  const std::string open = R"("base": {"points": [[0, 0], [1, 2], [3, 2], [4, 0], [6, 1], [7, 3]]})";
+  if (family == "de-rham") {
+    return {R"({})",
+            R"({"levels": 0})",
+            R"({"t": 0.75, "levels": 9})",
+            R"({"t": 0.5, "levels": 4, "base": {"points": [[1, 1], [1, 1], [1, 1]], "closed": true}})",
+            R"({"t": 0.3, "levels": 5, "base": {"points": [[1, 1], [2, 1]]}})",
+            R"({"t": 0.3, "levels": 5, "ends": "clamp", "base": {"points": [[1, 1], [2, 1]]}})",
+            R"({"t": 0.4, "ends": "clamp", "levels": 4, )" + open + '}',
+            R"({"lambda": -0.125, "levels": 6, "base": {"path": "M0 0h1v1z M3 0h1v1"}})",
+            R"({"t": 1.2, "normalize": true, "levels": 5, "base": "triangle"})",
+            R"({"t": -1e3, "levels": 5})"};
+  }
+  if (family == "four-point") {
+    return {R"({})",
+            R"({"levels": 0, )" + open + '}',
+            R"({"t": 0.6, "levels": 9})",
+            R"({"w": 0.4, "levels": 6, "ends": "reflect", )" + open + '}',
+            R"({"t": 0, "levels": 3, "ends": "replicate", )" + open + '}',
+            R"({"levels": 4, "base": "segment"})",
+            R"({"levels": 4, "base": {"points": [[1, 1], [1, 1]], "closed": true}})",
+            R"({"t": 5, "levels": 5, "base": {"path": "M0 0h1v1z M3 0h1v1"}})"};
+  }
+  if (family == "four-parameter") {
+    return {R"({})",
+            R"({"levels": 0, "ends": "given", )" + open + '}',
+            R"({"lambda": 0.2, "mu": 0.1, "nu": 0.3, "omega": -0.1, "levels": 6, "ends": "given", )" + open + '}',
+            R"({"lambda": "1/30", "mu": "1/30", "omega": "1/3", "levels": 8})",
+            R"({"lambda": 0.125, "mu": 0.125, "omega": 0, "levels": 5, "ends": "reflect", )" + open + '}',
+            R"({"levels": 4, "base": "segment"})",
+            R"({"levels": 4, "base": {"points": [[1, 1], [1, 1]], "closed": true}})",
+            R"({"lambda": -1, "mu": 3, "nu": 2, "omega": -2, "levels": 5, "base": {"path": "M0 0h1v1z M3 0h1v1"}})"};
   }
   EXPECT_EQ(family, "two-point") << "a new family needs its cases here";
   return {
@@ -89,6 +124,37 @@ TEST(FamilyContract, EveryFamilyKeepsItForEveryCase) {
           const Flow flow = family.draw(*read.params, context, checked);
           EXPECT_EQ(flow == Flow::stop, stop.stopped());
         }
+      }
+    }
+  }
+}
+
+/// Whether the points are in the full run, bit for bit and in its order.
+bool is_subset(const std::vector<Vec2>& points, const std::vector<Vec2>& full) {
+  std::size_t at = 0;
+  for (const Vec2 p : points) {
+    while (at < full.size() && full[at] != p) ++at;
+    if (at++ >= full.size()) return false;
+  }
+  return true;
+}
+
+TEST(FamilyContract, AViewGivesASubsetOfTheFullRun) {
+  for (const Family& family : catalogue()) {
+    for (const std::string& text : cases_of(family.name)) {
+      const testing::ReadParams read = testing::read_params(family.name, text);
+      const std::vector<Vec2> full = testing::record(family.name, *read.params).all_points();
+      for (std::uint64_t trial = 0; trial < 12; ++trial) {
+        DrawContext context;
+        context.view.tolerance = std::pow(10.0, -4.0 * uniform(1, trial));
+        if (trial % 2 == 1) {
+          const Vec2 centre = full[random_bits(2, trial) % full.size()];
+          context.view.box = Box2{centre, centre}.grown(0.2 * uniform(3, trial));
+        }
+        const std::vector<Vec2> seen = testing::record(family.name, *read.params, context).all_points();
+        EXPECT_TRUE(is_subset(seen, full)) << family.name << ' ' << text << " trial " << trial;
+        const Forecast forecast = family.forecast(*read.params, context, 1e9);
+        EXPECT_EQ(forecast.points, static_cast<double>(seen.size())) << family.name << ' ' << text;
       }
     }
   }
