@@ -191,7 +191,7 @@ struct DeRhamFamily {
       text += fmt::format("converges, for 0 < t < 1; H\u00f6lder exponent {} as a function of its parameter\n",
                           fixed_text(-math::log2(radius), 6));
     } else {
-      text += fmt::format("does not converge to a continuous curve for all data: that is so just for 0 < t < 1\n");
+      text += "does not converge to a continuous curve for all bases: that is so just for 0 < t < 1\n";
     }
     return text + convergence_text(classify({t, 1.0 - t, 1.0 - t, t}));
   }
