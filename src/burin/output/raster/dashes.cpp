@@ -66,6 +66,11 @@ void Dashes::to(Vec2 p) {
   last_ = p;
 }
 
+void Dashes::to(std::span<const Vec2> points, double scale) {
+  if (is_full_line()) return stroker_.to(points, scale);
+  for (const Vec2 p : points) to(device_point(p, scale));
+}
+
 void Dashes::end() {
   if (is_full_line()) return stroker_.end();
   if (!moved_) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <burin/output/raster/path_stroker.hpp>
@@ -20,6 +21,7 @@ class Dashes {
   /// begin to+ end, as PathStroker's.
   void begin(bool closed);
   void to(Vec2 p);
+  void to(std::span<const Vec2> points, double scale);
   void end();
 
  private:

@@ -13,6 +13,7 @@ class Ink {
   explicit Ink(const PixelBox& part, const Kernel& kernel = best_kernel()) : kernel_(&kernel), tiles_(part) {}
 
   void add(const Convex& shape) { kernel_->cover(shape, tiles_.part(), tiles_); }
+  void add(RoundPen& pen, const RoundSegment& segment) { kernel_->cover_round(pen, segment, tiles_.part(), tiles_); }
   void add(PolygonFill& polygon, bool evenodd) { polygon.fill(evenodd, tiles_.part(), tiles_); }
 
   const Kernel& kernel() const { return *kernel_; }

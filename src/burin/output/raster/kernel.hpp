@@ -4,14 +4,17 @@
 
 #include <burin/output/raster/convex.hpp>
 #include <burin/output/raster/mask_tiles.hpp>
+#include <burin/output/raster/round_pen.hpp>
 
 namespace burin::output::raster {
 
-/// The two inner loops of the rasterizer. All kernels give the same bits: what is not certain in a faster way, they ask
+/// The inner loops of the rasterizer. All kernels give the same bits: what is not certain in a faster way, they ask
 /// samples_in() for.
 struct Kernel {
   /// Adds the samples of `shape` in the part that the tiles cover and in `clip` to the tiles.
   void (*cover)(const Convex& shape, const PixelBox& clip, MaskTiles& tiles);
+  /// Adds a RoundSegment with the width of `pen`.
+  void (*cover_round)(RoundPen& pen, const RoundSegment& segment, const PixelBox& clip, MaskTiles& tiles);
   /// How many samples each pixel of a tile has, 0 to 64.
   void (*count)(const MaskTiles::Tile& masks, std::uint8_t* counts);
 };

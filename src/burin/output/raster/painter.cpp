@@ -36,7 +36,7 @@ Flow Painter::points(std::span<const Vec2> points) {
   if (!strokes()) {
     for (const Vec2 p : points) polygon_.push_back(device_point(p, dots_per_mm_));
   } else {
-    for (const Vec2 p : points) dashes_.to(device_point(p, dots_per_mm_));
+    dashes_.to(points, dots_per_mm_);
   }
   return Flow::go;
 }

@@ -23,9 +23,14 @@ void PathStroker::set_style(const StrokeStyle& style) {
   style_ = style;
   style_.width = std::clamp(style.width, 0.0, most_pixels);
   half_width_ = 0.5 * style_.width * units_per_pixel;
+  pen_ = RoundPen(half_width_);
   const double corner = style_.join == Join::miter ? std::max(1.5, style_.miter_limit) : 1.5;
   const Box2 sight = page_.grown(std::min(0.5 * style_.width * corner, most_pixels) + 2.0);
-  sight_ = {units_per_pixel * sight.low, units_per_pixel * sight.high};
+  const auto in_units = [](double pixels, double round_up) {
+    return static_cast<int>(std::floor(units_per_pixel * pixels + round_up));
+  };
+  sight_ = {in_units(sight.low.x, 0.0), in_units(sight.low.y, 0.0), in_units(sight.high.x, 1.0),
+            in_units(sight.high.y, 1.0)};
   // To cut a line off moves it by up to a unit: only where it must be.
   constexpr double far_away = 16384.0;
   box_ = sight.grown(far_away);
@@ -67,12 +72,16 @@ void PathStroker::to(Vec2 p) {
   exact_ = p;
 }
 
+void PathStroker::to(std::span<const Vec2> points, double scale) {
+  for (const Vec2 p : points) to(device_point(p, scale));
+}
+
 void PathStroker::end(Vec2 direction) {
   if (!moved_) {
     if (inside_) dot(last_, direction);
   } else if (closed_) {
     close();
-  } else if (run_length_ == 2) {
+  } else if (run_length_ == 2 && !is_round()) {
     cap(last_, before_);
   }
 }
@@ -85,9 +94,15 @@ void PathStroker::enter(Vec2 at) {
 void PathStroker::step(Point p) {
   if (p == last_) return;
   moved_ = true;
-  if (can_show(last_, p)) ink_.add(segment_body(last_, p, half_width_));
+  if (can_show(last_, p)) {
+    if (is_round()) {
+      ink_.add(pen_, {last_, p});
+    } else {
+      ink_.add(segment_body(last_, p, half_width_));
+    }
+  }
   if (run_length_ == 2) {
-    join(before_, last_, p);
+    if (!is_round()) join(before_, last_, p);
   } else if (run_is_first_) {
     second_ = p;
     has_second_ = true;
@@ -100,12 +115,12 @@ void PathStroker::step(Point p) {
 
 void PathStroker::close() {
   to(exact_first_);
-  if (has_second_ && run_length_ == 2) join(before_, last_, second_);
+  if (has_second_ && run_length_ == 2 && !is_round()) join(before_, last_, second_);
 }
 
 bool PathStroker::can_show(Point a, Point b) const {
-  return std::max(a.x, b.x) >= sight_.low.x && std::min(a.x, b.x) <= sight_.high.x &&
-         std::max(a.y, b.y) >= sight_.low.y && std::min(a.y, b.y) <= sight_.high.y;
+  return std::max(a.x, b.x) >= sight_.left && std::min(a.x, b.x) <= sight_.right && std::max(a.y, b.y) >= sight_.top &&
+         std::min(a.y, b.y) <= sight_.bottom;
 }
 
 void PathStroker::cap(Point end, Point inner) {
@@ -121,8 +136,7 @@ void PathStroker::join(Point before, Point corner, Point after) {
   const double ahead = dot_of(in, out);
   if (turn == 0.0 && ahead > 0.0) return;
   if (style_.join == Join::round) {
-    // What a disc has besides the sector is covered by the strokes, unless one ends within it without a round cap.
-    ink_.add(style_.cap == Cap::round ? disc(corner, half_width_) : join_sector(corner, in, out, half_width_));
+    ink_.add(join_sector(corner, in, out, half_width_));
     return;
   }
   if (turn == 0.0) return;

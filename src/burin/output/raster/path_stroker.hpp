@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <burin/geom/box2.hpp>
 #include <burin/output/raster/ink.hpp>
 #include <burin/path/sheet.hpp>
@@ -32,6 +34,8 @@ class PathStroker {
   /// begin to+ end. In pixels.
   void begin(bool closed);
   void to(Vec2 p);
+  /// The same for many points, each times `scale`.
+  void to(std::span<const Vec2> points, double scale);
   /// `direction`: how a square dot lies.
   void end(Vec2 direction = {1.0, 0.0});
 
@@ -39,6 +43,8 @@ class PathStroker {
   void enter(Vec2 at);
   void step(Point p);
   void close();
+  /// Each segment then has the disc about its end with it: all caps and joins but the cap of an open line's start.
+  bool is_round() const { return style_.cap == Cap::round && style_.join == Join::round; }
   bool can_show(Point a, Point b) const;
   void cap(Point end, Point inner);
   void join(Point before, Point corner, Point after);
@@ -47,9 +53,10 @@ class PathStroker {
   Ink& ink_;
   Box2 page_;
   Box2 box_;
-  Box2 sight_;               ///< in units; points outside have no ink on the page
+  PixelBox sight_;           ///< in units, not pixels; points outside have no ink on the page
   double half_width_ = 0.5;  ///< units
   StrokeStyle style_;
+  RoundPen pen_{half_width_};
 
   bool closed_ = false;
   bool started_ = false;

@@ -71,6 +71,60 @@ TEST(Kernels, HaveTheBitsOfTheDefinition) {
   }
 }
 
+/// The pixels that a round segment gets wrong, on a part of the page that begins at (0, 0).
+int wrong_pixels(const Kernel& kernel, RoundPen& pen, const RoundSegment& segment) {
+  constexpr PixelBox small{0, 0, 32, 24};
+  MaskTiles tiles(small);
+  kernel.cover_round(pen, segment, small, tiles);
+  int wrong = 0;
+  for (int j = 0; j < small.bottom; ++j) {
+    for (int i = 0; i < small.right; ++i) {
+      const Samples found = *tiles.at(i, j, 0);
+      const Samples needed =
+          samples_in(body_of(segment, pen.half_width), i, j) | samples_in(disc_of(segment, pen.half_width), i, j);
+      const Samples allowed = needed | samples_in(disc(segment.from, pen.half_width), i, j);
+      wrong += (needed & ~found) != 0 || (found & ~allowed) != 0 ? 1 : 0;
+    }
+  }
+  return wrong;
+}
+
+TEST(Kernels, DrawRoundSegmentsByTheirDefinition) {
+  Dice dice(14);
+  for (const double half_width : {3.0, 40.5, 512.0, 512.01, 700.0, 3000.0}) {
+    RoundPen best(half_width);
+    RoundPen portable(half_width);
+    for (int turn = 0; turn < 120; ++turn) {
+      constexpr double sizes[] = {0.02, 0.1, 0.5, 1.2, 5.0, 12.0};
+      const double size = sizes[dice.below(6)];
+      const Point from = random_point(dice, 0.0, 24.0);
+      Point step = random_point(dice, -size, size);
+      if (step == Point{}) step.x = 1;
+      const RoundSegment segment{from, {from.x + step.x, from.y + step.y}};
+      EXPECT_EQ(wrong_pixels(best_kernel(), best, segment), 0) << half_width << ", turn " << turn;
+      EXPECT_EQ(wrong_pixels(portable_kernel(), portable, segment), 0) << half_width << ", turn " << turn;
+    }
+  }
+}
+
+/// Level, upright and along the rows and columns of the samples, from everywhere within a sample's reach.
+TEST(Kernels, DrawRoundSegmentsWhoseBordersGoThroughSamples) {
+  Dice dice(15);
+  for (const double half_width : {8.0, 511.5, 512.0, 512.03, 520.0, 1024.0}) {
+    RoundPen pen(half_width);
+    for (int turn = 0; turn < 200; ++turn) {
+      constexpr Point ways[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {8, -1}, {1, 8}, {1, 1}, {3, 4}};
+      const Point way = ways[dice.below(8)];
+      const int length = 1 + static_cast<int>(dice.below(way.x * way.y == 0 ? 3000 : 400));
+      // Where a border may meet samples, or just miss them.
+      const Point sample = sample_position(10, 8, static_cast<int>(dice.below(8)), static_cast<int>(dice.below(8)));
+      const Point from{sample.x + static_cast<int>(dice.below(5)) - 2, sample.y + static_cast<int>(dice.below(5)) - 2};
+      const RoundSegment segment{from, {from.x + way.x * length, from.y + way.y * length}};
+      EXPECT_EQ(wrong_pixels(best_kernel(), pen, segment), 0) << half_width << ", turn " << turn;
+    }
+  }
+}
+
 TEST(Kernels, AreExactOnBordersThroughSamples) {
   // Every border of these goes through a sample, or as close by as positions can be.
   Dice dice(12);

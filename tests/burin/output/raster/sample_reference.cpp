@@ -1,5 +1,6 @@
 #include "sample_reference.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -85,12 +86,16 @@ bool in_join(const ReferenceStroke& stroke, Point before, Point corner, Point af
 
 }  // namespace
 
-bool ReferenceStroke::covers(Point p) const {
-  std::vector<Point> line;
-  for (const Point point : points) {
-    if (line.empty() || !(line.back() == point)) line.push_back(point);
-  }
+ReferenceStroke ReferenceStroke::without_repeats() const {
+  ReferenceStroke stroke = *this;
+  std::vector<Point>& line = stroke.points;
+  line.erase(std::unique(line.begin(), line.end()), line.end());
   if (closed && line.size() > 1 && line.front() == line.back()) line.pop_back();
+  return stroke;
+}
+
+bool ReferenceStroke::covers(Point p) const {
+  const std::vector<Point>& line = points;
   const std::size_t count = line.size();
   if (count == 1) {
     if (cap == Cap::round) return in_disc(line[0], half_width, p);

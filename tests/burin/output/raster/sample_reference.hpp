@@ -22,6 +22,9 @@ struct ReferenceStroke {
   Join join = Join::round;
   double miter_limit = 4.0;
 
+  /// The same stroke; no point follows itself.
+  ReferenceStroke without_repeats() const;
+  /// Pre: no point follows itself.
   bool covers(Point sample) const;
 };
 

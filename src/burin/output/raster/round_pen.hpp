@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <burin/output/raster/convex.hpp>
+
+namespace burin::output::raster {
+
+// In the frame of its samples, columns along (128, -16) units and rows along (16, 128), a pixel is a square grid of
+// step 1, and what is drawn lies in it as on the page.
+inline constexpr int column_x = sample_x(0, 1) - sample_x(0, 0);
+inline constexpr int column_y = sample_y(0, 1) - sample_y(0, 0);
+inline constexpr int row_x = sample_x(1, 0) - sample_x(0, 0);
+inline constexpr int row_y = sample_y(1, 0) - sample_y(0, 0);
+/// Square of a step of the grid, in units.
+inline constexpr double squared_step = column_x * column_x + column_y * column_y;
+/// Parts of a column that the vector kernels count bounds in.
+inline constexpr double fixed_point = 4096.0;
+
+/// What a segment adds to a stroke with round joins and caps: its body, and the disc about its end. Most strokes of
+/// most drawings are made of these, and most of them are short: the kernels have a way of their own for them. What the
+/// disc about its start has besides, a kernel may add or not: the segment before adds it, or the stroke's first cap.
+struct RoundSegment {
+  Point from;
+  Point to;  ///< another point than `from`
+};
+
+/// Numbers of all segments with the same step from end to end, for the vector kernels.
+struct RoundStep {
+  RoundStep() = default;
+  /// Pre: the step is not zero.
+  RoundStep(Point step_of_segment, double half_width);
+
+  Point step;           ///< zero: none
+  bool suits = false;   ///< the numbers are exact enough
+  float across = 0.0F;  ///< slope of the sides, in columns per row of samples
+  float along = 0.0F;   ///< slope of the ends
+  float side = 0.0F;    ///< half the body's width in a row of samples
+  float low_end = 0.0F;
+  float high_end = 0.0F;
+  // What the segment reaches of the page, in units from its end.
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+  float x_per_y = 0.0F;     ///< of the segment
+  float half_level = 0.0F;  ///< half of what its strip covers of a level line; huge when it is level itself
+};
+
+/// Draws round segments of one width. It keeps what it has computed of the last steps: curves repeat a few.
+struct RoundPen {
+  explicit RoundPen(double half_width_units);
+
+  double half_width;
+  float squared_radius;   ///< in columns of samples, as the vector kernels count them
+  float uncertain_below;  ///< a square so small may as well be none
+  std::array<RoundStep, 256> steps{};
+
+  /// Where the numbers of a step are kept.
+  RoundStep& slot(Point step) {
+    const std::uint32_t mix =
+        static_cast<std::uint32_t>(step.x) * 0x9E3779B1U + static_cast<std::uint32_t>(step.y) * 0x85EBCA6BU;
+    return steps[mix >> 24U];
+  }
+};
+
+inline Convex body_of(const RoundSegment& segment, double half_width) {
+  return segment_body(segment.from, segment.to, half_width);
+}
+inline Convex disc_of(const RoundSegment& segment, double half_width) {
+  return disc(segment.to, half_width);
+}
+
+}  // namespace burin::output::raster

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <cmath>
+
+#include <burin/output/raster/avx2.hpp>
+#include <burin/output/raster/kernel.hpp>
+
+#ifdef BURIN_AVX2
+
+namespace burin::output::raster {
+
+namespace {
+
+// A row of samples meets the body between two bounds, the disc about the segment's end between two others. What lies
+// between the least and the greatest of them is covered by both, or by the disc about its start: all three together are
+// convex.
+
+/// `column` and `row`: where the segment's end is from the pixel's first sample, times the square of a grid's step.
+BURIN_AVX2 inline Samples samples_of(const RoundPen& pen, const RoundStep& step, int column, int row, bool& certain) {
+  constexpr auto unit = static_cast<float>(fixed_point / squared_step);
+  const __m256 rows = _mm256_setr_ps(0, 4096, 8192, 12288, 16384, 20480, 24576, 28672);
+  const __m256 sign = _mm256_set1_ps(-0.0F);
+  const __m256 down = _mm256_fnmadd_ps(_mm256_set1_ps(static_cast<float>(row)), _mm256_set1_ps(unit), rows);
+  const __m256 middle = _mm256_set1_ps(static_cast<float>(column) * unit + static_cast<float>(bound_offset));
+  const __m256 side = _mm256_set1_ps(step.side);
+  const __m256 along = _mm256_set1_ps(step.along);
+  const __m256 axis = _mm256_mul_ps(_mm256_set1_ps(step.across), down);
+  const __m256 low_body =
+      _mm256_max_ps(_mm256_sub_ps(axis, side), _mm256_fmadd_ps(along, down, _mm256_set1_ps(step.low_end)));
+  const __m256 high_body =
+      _mm256_min_ps(_mm256_add_ps(axis, side), _mm256_fmadd_ps(along, down, _mm256_set1_ps(step.high_end)));
+  const __m256 body = _mm256_sub_ps(high_body, low_body);
+  const __m256 disc = _mm256_fnmadd_ps(down, down, _mm256_set1_ps(pen.squared_radius));
+  // Whether a row meets the body, and the disc, must be sure too.
+  const __m256 is_near =
+      _mm256_or_ps(_mm256_cmp_ps(_mm256_andnot_ps(sign, body), _mm256_set1_ps(4.0F), _CMP_LT_OQ),
+                   _mm256_cmp_ps(_mm256_andnot_ps(sign, disc), _mm256_set1_ps(pen.uncertain_below), _CMP_LE_OQ));
+  // Where there is no root, it is no number, and the lesser or greater of it and another is the other.
+  const __m256 half = _mm256_sqrt_ps(disc);
+  const __m256 low = _mm256_min_ps(_mm256_xor_ps(half, sign), _mm256_blendv_ps(low_body, _mm256_set1_ps(1e9F), body));
+  const __m256 high = _mm256_max_ps(half, _mm256_blendv_ps(high_body, _mm256_set1_ps(-1e9F), body));
+  const Samples found = samples_between({_mm256_add_ps(low, middle), _mm256_add_ps(high, middle)}, certain);
+  certain = certain && _mm256_testz_ps(is_near, is_near) != 0;
+  return found;
+}
+
+/// The pixel that a position is in.
+constexpr int pixel_of(int units) {
+  return units >> 10;
+}
+static_assert(units_per_pixel == 1 << 10);
+
+__attribute__((noinline)) Samples exact_samples(const RoundSegment& segment, double half_width, int i, int j) {
+  return samples_in(body_of(segment, half_width), i, j) | samples_in(disc_of(segment, half_width), i, j);
+}
+
+}  // namespace
+
+BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, const PixelBox& clip, MaskTiles& tiles) {
+  const Point to = segment.to;
+  const Point vector = to - segment.from;
+  RoundStep& step = pen.slot(vector);
+  if (!(step.step == vector)) step = RoundStep(vector, pen.half_width);
+  if (!step.suits) {
+    cover_avx2(body_of(segment, pen.half_width), clip, tiles);
+    return cover_avx2(disc_of(segment, pen.half_width), clip, tiles);
+  }
+  const int top = std::max(clip.top, pixel_of(to.y + step.top));
+  const int bottom = std::min(clip.bottom, pixel_of(to.y + step.bottom) + 1);
+  const int left = std::max(clip.left, pixel_of(to.x + step.left));
+  const int right = std::min(clip.right, pixel_of(to.x + step.right) + 1);
+  const bool is_wide = right - left > 3;
+  for (int j = top; j < bottom; ++j) {
+    const int y = to.y - j * units_per_pixel - sample_y(0, 0);
+    int i = left;
+    int row_end = right;
+    if (is_wide) {
+      const auto at_top = static_cast<float>(j * units_per_pixel - to.y) * step.x_per_y;
+      const float at_bottom = at_top + units_per_pixel * step.x_per_y;
+      i = std::max(i,
+                   pixel_of(to.x + static_cast<int>(std::max(std::min(at_top, at_bottom) - step.half_level, -1e9F))));
+      row_end = std::min(
+          row_end,
+          pixel_of(to.x + static_cast<int>(std::min(std::max(at_top, at_bottom) + step.half_level, 1e9F))) + 1);
+    }
+    while (i < row_end) {
+      const int end = std::min(row_end, MaskTiles::end_of_tile(i));
+      for (Samples* samples = tiles.at(i, j, 0); i < end; ++i, ++samples) {
+        if (*samples == all_samples) continue;
+        const int x = to.x - i * units_per_pixel - sample_x(0, 0);
+        bool certain = true;
+        const Samples found = samples_of(pen, step, column_x * x + column_y * y, row_x * x + row_y * y, certain);
+        *samples |= certain ? found : exact_samples(segment, pen.half_width, i, j);
+      }
+    }
+  }
+}
+
+}  // namespace burin::output::raster
+
+#endif
