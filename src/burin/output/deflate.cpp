@@ -29,6 +29,10 @@ std::string_view Deflater::operator()(std::string_view bytes) {
   return {stream_.get(), size};
 }
 
+std::uint32_t adler32_of(std::string_view bytes, std::uint32_t before) {
+  return libdeflate_adler32(before, bytes.data(), bytes.size());
+}
+
 std::uint32_t crc32_of(std::string_view bytes) {
   return libdeflate_crc32(0, bytes.data(), bytes.size());
 }

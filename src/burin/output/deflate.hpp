@@ -29,6 +29,9 @@ class Deflater {
   std::size_t stream_room_ = 0;
 };
 
+/// Adler-32 as zlib streams have it, of all bytes so far; `before` is that of what came before.
+std::uint32_t adler32_of(std::string_view bytes, std::uint32_t before = 1);
+
 /// CRC-32 as PNG has it.
 std::uint32_t crc32_of(std::string_view bytes);
 

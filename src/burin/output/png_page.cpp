@@ -1,10 +1,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
+#include <vector>
 
 #include <burin/base/check.hpp>
 #include <burin/output/deflate.hpp>
 #include <burin/output/png_page.hpp>
+#include <burin/output/row_deflater.hpp>
 
 namespace {
 
@@ -31,12 +33,6 @@ namespace burin::output {
 
 namespace {
 
-constexpr std::size_t signature_bytes = 8;
-constexpr std::size_t length_bytes = 4;
-constexpr std::size_t frame_bytes = 12;  ///< length, type and checksum of a chunk
-constexpr std::size_t header_bytes = 13;
-constexpr std::size_t colour_type_at = 9;  ///< in IHDR
-
 std::string chunk_bytes(const PngChunk& chunk) {
   const std::string checked = chunk.type + chunk.data;
   return big_endian(static_cast<std::uint32_t>(chunk.data.size())) + checked + big_endian(crc32_of(checked));
@@ -52,26 +48,33 @@ std::string palette_bytes(const std::vector<Colour>& palette) {
   return bytes;
 }
 
-/// stb's file with our chunks between its header and its pixels. A palette page goes through stb as a grey one, since
-/// the bytes are the same; here it gets its own colour type and the palette.
-std::string with_our_chunks(std::string_view file, const PngHead& head) {
-  const std::size_t header_end = signature_bytes + frame_bytes + header_bytes;
-  PngChunk header{"IHDR", std::string(file.substr(signature_bytes + length_bytes + 4, header_bytes))};
-  constexpr char palette_type = 3;
-  const bool has_palette = head.pixels == PngPixels::palette;
-  if (has_palette) header.data[colour_type_at] = palette_type;
-  std::string all(file.substr(0, signature_bytes));
-  all += chunk_bytes(header);
-  for (const PngChunk& chunk : head.chunks) all += chunk_bytes(chunk);
-  if (has_palette) all += chunk_bytes({"PLTE", palette_bytes(head.palette)});
-  all += file.substr(header_end);
-  return all;
+/// All of the file before the pixels.
+std::string file_head(const PngHead& head) {
+  constexpr char bits = 8;
+  std::string header = big_endian(head.width) + big_endian(head.height) + bits;
+  header += static_cast<char>(head.pixels == PngPixels::rgb ? 2 : head.pixels == PngPixels::palette ? 3 : 0);
+  header += std::string(3, '\0');  // deflate, filters of method 0, not interlaced
+  std::string bytes = "\x89PNG\r\n\x1A\n" + chunk_bytes({"IHDR", header});
+  for (const PngChunk& chunk : head.chunks) bytes += chunk_bytes(chunk);
+  if (head.pixels == PngPixels::palette) bytes += chunk_bytes({"PLTE", palette_bytes(head.palette)});
+  return bytes;
 }
 
-}  // namespace
+/// Nothing: the page is not blank enough for it.
+std::optional<std::string> in_rows(const PngHead& head, const ReadRow& read_row) {
+  std::vector<std::uint8_t> row(1 + head.bytes_per_row(), 0);  // no filter
+  RowDeflater deflate(row.size());
+  for (std::uint32_t j = 0; j < head.height; ++j) {
+    read_row(j, row.data() + 1);
+    if (!deflate.add(row.data())) return std::nullopt;
+  }
+  return file_head(head) + chunk_bytes({"IDAT", deflate.finish()}) + chunk_bytes({"IEND", {}});
+}
 
-std::optional<std::string> png_page(const PngHead& head, const std::vector<std::uint8_t>& bytes) {
-  BURIN_EXPECT(bytes.size() == head.bytes_per_row() * head.height && bytes.size() < std::size_t{1} << 31U);
+/// Through stb, whose file gets our head. A palette page goes through it as a grey one, since the bytes are the same.
+std::optional<std::string> at_once(const PngHead& head, const ReadRow& read_row) {
+  std::vector<std::uint8_t> bytes(head.bytes_per_row() * head.height);
+  for (std::uint32_t j = 0; j < head.height; ++j) read_row(j, bytes.data() + j * head.bytes_per_row());
   // Line art: no filter is both the fastest and the smallest. Set once: several pages may be written at a time.
   static const int filter = stbi_write_force_png_filter = 0;
   static_cast<void>(filter);
@@ -80,9 +83,19 @@ std::optional<std::string> png_page(const PngHead& head, const std::vector<std::
       stbi_write_png_to_mem(bytes.data(), static_cast<int>(head.bytes_per_row()), static_cast<int>(head.width),
                             static_cast<int>(head.height), head.pixels == PngPixels::rgb ? 3 : 1, &size);
   if (file == nullptr) return std::nullopt;
-  std::string all = with_our_chunks({reinterpret_cast<const char*>(file), static_cast<std::size_t>(size)}, head);
+  constexpr std::size_t head_bytes = 8 + 12 + 13;  // signature and IHDR
+  std::string all = file_head(head);
+  all.append(reinterpret_cast<const char*>(file) + head_bytes, static_cast<std::size_t>(size) - head_bytes);
   std::free(file);
   return all;
+}
+
+}  // namespace
+
+std::optional<std::string> png_page(const PngHead& head, const ReadRow& read_row) {
+  BURIN_EXPECT(head.bytes_per_row() * head.height < std::size_t{1} << 31U);
+  std::optional<std::string> file = in_rows(head, read_row);
+  return file ? file : at_once(head, read_row);
 }
 
 }  // namespace burin::output

@@ -13,19 +13,26 @@ std::optional<std::uint8_t> ColourIndex::add(Rgb rgb) {
   return static_cast<std::uint8_t>(slots_[slot]);
 }
 
-bool ColourIndex::translate(const std::vector<Rgb>& row, std::uint8_t* numbers) {
-  Rgb last = ~row.front();
+bool ColourIndex::add(std::span<const Rgb> pixels) {
+  Rgb last = ~pixels.front();
+  for (const Rgb rgb : pixels) {
+    if (rgb != last && !add(rgb)) return false;
+    last = rgb;
+  }
+  return true;
+}
+
+std::uint8_t* ColourIndex::translate(std::span<const Rgb> pixels, std::uint8_t* numbers) {
+  Rgb last = ~pixels.front();
   std::uint8_t number = 0;
-  for (const Rgb rgb : row) {
+  for (const Rgb rgb : pixels) {
     if (rgb != last) {
-      const std::optional<std::uint8_t> found = add(rgb);
-      if (!found) return false;
-      number = *found;
+      number = add(rgb).value_or(0);
       last = rgb;
     }
     *numbers++ = number;
   }
-  return true;
+  return numbers;
 }
 
 }  // namespace burin::output::raster

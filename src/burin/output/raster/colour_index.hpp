@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <burin/output/raster/picture.hpp>
@@ -16,8 +17,11 @@ class ColourIndex {
   /// The number of a colour, a new one if need be. Nothing: there are 256 others.
   std::optional<std::uint8_t> add(Rgb rgb);
 
-  /// The numbers of all pixels of a row. False: there are more than 256 colours.
-  bool translate(const std::vector<Rgb>& row, std::uint8_t* numbers);
+  /// Adds all of them. False: there are more than 256 colours.
+  bool add(std::span<const Rgb> pixels);
+
+  /// The numbers of some pixels; what comes behind them. Pre: all of them have been added.
+  std::uint8_t* translate(std::span<const Rgb> pixels, std::uint8_t* numbers);
 
   const std::vector<Colour>& colours() const { return colours_; }
 

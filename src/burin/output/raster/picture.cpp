@@ -55,18 +55,4 @@ void Picture::lay_over(MaskTiles& layer, const Kernel& kernel, Colour ink, doubl
   }
 }
 
-void Picture::read_row(int j, Rgb* row) const {
-  const int top = j - part().top;
-  for (int column = 0; column < tiles_.columns(); ++column) {
-    const int left = column * Tiles<Rgb>::width;
-    const int count = std::min(Tiles<Rgb>::width, part().width() - left);
-    const Tiles<Rgb>::Tile* const tile = tiles_.tile(column, top / Tiles<Rgb>::height);
-    if (tile == nullptr) {
-      std::fill_n(row + left, count, paper_);
-    } else {
-      std::copy_n(tile->data() + top % Tiles<Rgb>::height * Tiles<Rgb>::width, count, row + left);
-    }
-  }
-}
-
 }  // namespace burin::output::raster

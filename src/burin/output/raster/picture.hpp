@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include <burin/output/raster/kernel.hpp>
 #include <burin/path/colour.hpp>
@@ -31,8 +33,15 @@ class Picture {
   /// whole numbers, rounded once.
   void lay_over(MaskTiles& layer, const Kernel& kernel, Colour ink, double opacity);
 
-  /// The pixels of row j, in all of the part's columns.
-  void read_row(int j, Rgb* row) const;
+  /// Row j from the left, in pieces: blank(count) for so many pixels of paper, pixels(span) for others.
+  template <class Blank, class Pixels>
+  void visit_row(int j, const Blank& blank, const Pixels& pixels) const;
+
+  /// Every colour that shows, some of them many times, until visit(span) returns false.
+  template <class Visit>
+  bool visit_colours(const Visit& visit) const;
+
+  Rgb paper() const { return paper_; }
 
   const PixelBox& part() const { return tiles_.part(); }
 
@@ -40,5 +49,34 @@ class Picture {
   Tiles<Rgb> tiles_;
   Rgb paper_;
 };
+
+template <class Blank, class Pixels>
+void Picture::visit_row(int j, const Blank& blank, const Pixels& pixels) const {
+  const int top = j - part().top;
+  const auto in_tile = static_cast<std::size_t>(top % Tiles<Rgb>::height * Tiles<Rgb>::width);
+  for (int column = 0; column < tiles_.columns(); ++column) {
+    const int left = column * Tiles<Rgb>::width;
+    const auto count = static_cast<std::size_t>(std::min(Tiles<Rgb>::width, part().width() - left));
+    const Tiles<Rgb>::Tile* const tile = tiles_.tile(column, top / Tiles<Rgb>::height);
+    if (tile == nullptr) {
+      blank(count);
+    } else {
+      pixels(std::span<const Rgb>(*tile).subspan(in_tile, count));
+    }
+  }
+}
+
+template <class Visit>
+bool Picture::visit_colours(const Visit& visit) const {
+  const Rgb paper[] = {paper_};
+  if (!visit(std::span<const Rgb>(paper))) return false;
+  for (int row = 0; row < tiles_.rows(); ++row) {
+    for (int column = 0; column < tiles_.columns(); ++column) {
+      const Tiles<Rgb>::Tile* const tile = tiles_.tile(column, row);
+      if (tile != nullptr && !visit(std::span<const Rgb>(*tile))) return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace burin::output::raster

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,8 @@ constexpr double most_pixels_a_side = 100'000.0;
 constexpr std::size_t most_packed = 16;
 
 /// Red, green and blue of each pixel; what comes behind them.
-std::uint8_t* pack_row(const std::vector<Rgb>& row, std::uint8_t* byte) {
-  for (const Rgb rgb : row) {
+std::uint8_t* pack(std::span<const Rgb> pixels, std::uint8_t* byte) {
+  for (const Rgb rgb : pixels) {
     *byte++ = static_cast<std::uint8_t>(rgb >> 16U);
     *byte++ = static_cast<std::uint8_t>(rgb >> 8U);
     *byte++ = static_cast<std::uint8_t>(rgb);
@@ -56,6 +57,8 @@ class RasterPng final : public OutputSink {
   void begin_band(int top);
   bool write(std::string_view bytes) { return ok_ = ok_ && bytes_.write(bytes); }
   bool is_whole_page() const { return band_.height() == static_cast<int>(head_.height); }
+  void choose_format(const Picture& picture);
+  void read_row(const Picture& picture, int j, std::uint8_t* bytes);
   void write_page(const Picture& picture);
   void write_band(const Picture& picture);
 
@@ -121,40 +124,55 @@ Result<Done> RasterPng::finish() {
   return Done{};
 }
 
-/// The whole page in one piece, in the format that suits the colours it has.
-void RasterPng::write_page(const Picture& picture) {
-  std::vector<Rgb> row(head_.width);
-  std::vector<std::uint8_t> bytes(std::size_t{head_.width} * head_.height);
-  std::uint8_t* byte = bytes.data();
-  bool few_colours = true;
-  for (int j = 0; j < band_.bottom && few_colours; ++j) {
-    picture.read_row(j, row.data());
-    few_colours = index_.translate(row, byte);
-    byte += head_.width;
-  }
-  if (!few_colours) {
-    bytes.resize(std::size_t{head_.width} * head_.height * 3);
-    byte = bytes.data();
-    for (int j = 0; j < band_.bottom; ++j) {
-      picture.read_row(j, row.data());
-      byte = pack_row(row, byte);
-    }
-  } else if (head_.pixels == PngPixels::grey && index_.colours().size() > most_packed) {
-    for (std::uint8_t& index : bytes) index = index_.colours()[index].red;
-  } else {
+/// By the colours of the whole page.
+void RasterPng::choose_format(const Picture& picture) {
+  const bool few_colours = picture.visit_colours([this](std::span<const Rgb> pixels) { return index_.add(pixels); });
+  if (few_colours && (head_.pixels != PngPixels::grey || index_.colours().size() <= most_packed)) {
     head_.pixels = PngPixels::palette;
     head_.palette = index_.colours();
   }
-  painter_.reset();  // its memory serves the encoder
+}
+
+/// The bytes of a row in the format that is chosen.
+void RasterPng::read_row(const Picture& picture, int j, std::uint8_t* bytes) {
+  if (head_.pixels == PngPixels::rgb) {
+    const std::vector<Rgb> paper(MaskTiles::width, picture.paper());
+    picture.visit_row(
+        j, [&](std::size_t count) { bytes = pack(std::span(paper).first(count), bytes); },
+        [&](std::span<const Rgb> pixels) { bytes = pack(pixels, bytes); });
+    return;
+  }
+  const bool is_grey = head_.pixels == PngPixels::grey;
+  const std::uint8_t paper =
+      is_grey ? static_cast<std::uint8_t>(picture.paper()) : index_.add(picture.paper()).value_or(0);
+  const auto blank = [&](std::size_t count) { bytes = std::fill_n(bytes, count, paper); };
+  const auto grey = [](Rgb rgb) { return static_cast<std::uint8_t>(rgb); };
+  if (is_grey) {
+    picture.visit_row(j, blank, [&](std::span<const Rgb> pixels) {
+      bytes = std::transform(pixels.begin(), pixels.end(), bytes, grey);
+    });
+  } else {
+    picture.visit_row(j, blank, [&](std::span<const Rgb> pixels) { bytes = index_.translate(pixels, bytes); });
+  }
+}
+
+/// The whole page in one piece, in the format that suits the colours it has.
+void RasterPng::write_page(const Picture& picture) {
+  choose_format(picture);
   if (head_.pixels == PngPixels::palette && head_.palette.size() <= most_packed) {
     PngRows rows(head_, [this](std::string_view some) { return write(some); });
-    for (std::uint32_t j = 0; j < head_.height; ++j) rows.add(bytes.data() + std::size_t{j} * head_.width);
+    std::vector<std::uint8_t> row(head_.width);
+    for (int j = 0; j < band_.bottom; ++j) {
+      read_row(picture, j, row.data());
+      rows.add(row.data());
+    }
     had_memory_ = rows.finish() || !ok_;
-  } else {
-    const std::optional<std::string> file = png_page(head_, bytes);
-    had_memory_ = file.has_value();
-    if (file) write(*file);
+    return;
   }
+  const std::optional<std::string> file =
+      png_page(head_, [&](std::uint32_t j, std::uint8_t* row) { read_row(picture, static_cast<int>(j), row); });
+  had_memory_ = file.has_value();
+  if (file) write(*file);
 }
 
 /// A band; the first fixes the format by what colours there can be.
@@ -171,18 +189,10 @@ void RasterPng::write_band(const Picture& picture) {
     }
     rows_ = std::make_unique<PngRows>(head_, [this](std::string_view some) { return write(some); });
   }
-  std::vector<Rgb> row(head_.width);
-  std::vector<std::uint8_t> bytes(head_.bytes_per_row());
+  std::vector<std::uint8_t> row(head_.bytes_per_row());
   for (int j = band_.top; j < band_.bottom && ok_; ++j) {
-    picture.read_row(j, row.data());
-    if (head_.pixels == PngPixels::palette) {
-      index_.translate(row, bytes.data());
-    } else if (head_.pixels == PngPixels::grey) {
-      std::transform(row.begin(), row.end(), bytes.begin(), [](Rgb rgb) { return static_cast<std::uint8_t>(rgb); });
-    } else {
-      pack_row(row, bytes.data());
-    }
-    rows_->add(bytes.data());
+    read_row(picture, j, row.data());
+    rows_->add(row.data());
   }
 }
 

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <numeric>
+#include <span>
+
+#include <burin/output/deflate.hpp>
+#include <burin/output/prefix_code.hpp>
+#include <burin/output/row_deflater.hpp>
+
+namespace burin::output {
+
+namespace {
+
+constexpr std::uint16_t is_match = 0x8000;
+constexpr std::uint16_t is_above = 0x100;
+constexpr std::size_t shortest = 4;  ///< a match of 3 costs as much as what it stands for
+/// So many bytes more are worth the bits of the greater distance.
+constexpr std::size_t worth_a_far_match = 6;
+constexpr std::size_t longest = 258;
+constexpr std::size_t farthest = 32768;
+
+/// More tokens than one in so many bytes are better searched for all repetitions.
+constexpr std::size_t bytes_per_token = 12;
+/// What may come at the start of a picture.
+constexpr std::size_t free_tokens = 20000;
+
+/// The code of RFC 1951 for a length or a distance: the greatest whose base is not above the value.
+struct ValueCode {
+  unsigned symbol;
+  unsigned extra_bits;
+  unsigned extra;
+};
+
+ValueCode length_code(unsigned length) {
+  if (length == longest) return {285, 0, 0};
+  const unsigned value = length - 3;
+  if (value < 8) return {257 + value, 0, 0};
+  const auto bits = static_cast<unsigned>(std::bit_width(value)) - 3;
+  return {257 + 4 * bits + (value >> bits), bits, value & ((1U << bits) - 1U)};
+}
+
+ValueCode distance_code(unsigned distance) {
+  const unsigned value = distance - 1;
+  if (value < 4) return {value, 0, 0};
+  const auto bits = static_cast<unsigned>(std::bit_width(value)) - 2;
+  return {2 * bits + (value >> bits), bits, value & ((1U << bits) - 1U)};
+}
+
+/// How many bytes from a and b on are the same, up to `most`.
+std::size_t common_bytes(const std::uint8_t* a, const std::uint8_t* b, std::size_t most) {
+  std::size_t count = 0;
+  for (; count + 8 <= most; count += 8) {
+    std::uint64_t x;
+    std::uint64_t y;
+    std::memcpy(&x, a + count, 8);
+    std::memcpy(&y, b + count, 8);
+    if (x != y) break;
+  }
+  while (count < most && a[count] == b[count]) ++count;
+  return count;
+}
+
+}  // namespace
+
+RowDeflater::RowDeflater(std::size_t row_bytes) : row_bytes_(row_bytes), checksum_(adler32_of({})) {}
+
+std::size_t RowDeflater::above(const std::uint8_t* row, std::size_t at) const {
+  if (last_row_.empty() || row_bytes_ > farthest) return 0;
+  return common_bytes(row + at, last_row_.data() + at, row_bytes_ - at);
+}
+
+std::size_t RowDeflater::left(const std::uint8_t* row, std::size_t at) const {
+  return at == 0 ? 0 : common_bytes(row + at, row + at - 1, row_bytes_ - at);
+}
+
+bool RowDeflater::add(const std::uint8_t* row) {
+  for (std::size_t at = 0; at < row_bytes_;) {
+    const std::size_t back = left(row, at);
+    const std::size_t up = back == row_bytes_ - at ? 0 : above(row, at);
+    // A row of one byte is better begun by it than taken from above.
+    const std::size_t soon = up > back && at + 2 < row_bytes_ ? 2 + left(row, at + 2) : 0;
+    const bool from_above = up > std::max(back, soon) + worth_a_far_match;
+    const std::size_t length = from_above ? up : back;
+    if (length < shortest) {
+      tokens_.push_back(row[at++]);
+    } else {
+      add_match(length, from_above);
+      at += length;
+    }
+  }
+  checksum_ = adler32_of({reinterpret_cast<const char*>(row), row_bytes_}, checksum_);
+  last_row_.assign(row, row + row_bytes_);
+  bytes_ += row_bytes_;
+  return tokens_.size() <= free_tokens + bytes_ / bytes_per_token;
+}
+
+void RowDeflater::add_match(std::size_t length, bool from_above) {
+  while (length > 0) {
+    // What is left over must be a match too.
+    const std::size_t some = length <= longest ? length : std::min(longest, length - shortest);
+    const std::uint16_t flags = from_above ? is_match | is_above : is_match;
+    tokens_.push_back(static_cast<std::uint16_t>(flags | (some - 3)));
+    length -= some;
+  }
+}
+
+std::string RowDeflater::finish() {
+  constexpr unsigned end_of_block = 256;
+  std::array<ValueCode, 256> lengths;
+  for (unsigned k = 0; k < lengths.size(); ++k) lengths[k] = length_code(k + 3);
+  const std::array<ValueCode, 2> distances = {distance_code(1),
+                                              distance_code(static_cast<unsigned>(std::min(row_bytes_, farthest)))};
+  std::vector<std::uint32_t> symbol_counts(286);
+  std::vector<std::uint32_t> distance_counts(30);
+  for (const std::uint16_t token : tokens_) {
+    if (token < is_match) {
+      ++symbol_counts[token];
+    } else {
+      ++symbol_counts[lengths[token & 0xFFU].symbol];
+      ++distance_counts[distances[(token & is_above) != 0 ? 1 : 0].symbol];
+    }
+  }
+  ++symbol_counts[end_of_block];
+  const PrefixCode symbols(symbol_counts, 15);
+  const PrefixCode distance_symbols(distance_counts, 15);
+
+  std::string stream{0x78, 0x01};  // deflate with a window of 32 kB
+  BitWriter bits(stream);
+  bits.add(1, 1);  // the last block
+  bits.add(2, 2);  // with codes of its own
+  write_codes(bits, symbols, distance_symbols);
+  for (const std::uint16_t token : tokens_) {
+    if (token < is_match) {
+      symbols.write(bits, token);
+      continue;
+    }
+    const ValueCode& length = lengths[token & 0xFFU];
+    symbols.write(bits, length.symbol);
+    bits.add(length.extra, length.extra_bits);
+    const ValueCode& distance = distances[(token & is_above) != 0 ? 1 : 0];
+    distance_symbols.write(bits, distance.symbol);
+    bits.add(distance.extra, distance.extra_bits);
+  }
+  symbols.write(bits, end_of_block);
+  bits.finish();
+  for (unsigned shift = 32; shift > 0;) {
+    shift -= 8;
+    stream += static_cast<char>(checksum_ >> shift & 0xFFU);
+  }
+  return stream;
+}
+
+}  // namespace burin::output
