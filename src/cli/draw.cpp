@@ -48,8 +48,9 @@ ExitCode run(const Arguments& arguments, const Console& console) {
   MemoryBudget memory(request->max_memory_mb * 1e6);
   const Interrupt interrupt([&temporaries] { temporaries.remove_all(); });
   const bool live = console.shows_progress() && !request->quiet;
-  const SeriesOutcome outcome = draw_series(*preset, *request, *series, *outputs, TbbExecutor(request->threads),
-                                            {temporaries, interrupt.stop(), live, &memory});
+  const TbbExecutor executor(request->threads);
+  const SeriesOutcome outcome = draw_series(*preset, *request, *series, *outputs, executor,
+                                            {temporaries, interrupt.stop(), live, &memory, &executor});
   const bool stopped = interrupt.signal() != 0;
   if (!stopped && outcome.all.code == ExitCode::done) return tell(outcome, *request, console);
   const ExitCode code = stopped ? interrupt.exit_code() : tell_problems(outcome.all, request->command, console);

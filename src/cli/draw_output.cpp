@@ -1,5 +1,6 @@
 #include <memory>
 
+#include <burin/output/raster/png.hpp>
 #include <burin/path/decorators.hpp>
 #include <cli/draw_output.hpp>
 #include <cli/draw_run.hpp>
@@ -7,10 +8,24 @@
 
 namespace burin::cli {
 
+namespace {
+
+std::unique_ptr<OutputSink> open_sink(const OutputJob& job, ByteSink& bytes, const Sheet& sheet) {
+  // Of all back ends the rasterizer alone has work for several threads.
+  if (job.executor == nullptr || job.back_end->open != output::png_back_end().open) {
+    return job.back_end->open(bytes, sheet, job.options);
+  }
+  output::RasterPlan plan;
+  plan.workers = {job.executor, job.executor->workers()};
+  return output::open_png(bytes, sheet, job.options, plan);
+}
+
+}  // namespace
+
 Result<OutputCounts> draw_output(const OutputJob& job, AtomicFile& file, bool live) {
   Sheet sheet = job.drawing->sheet;
   sheet.made_by = job.origin;
-  const std::unique_ptr<OutputSink> sink = job.back_end->open(file, sheet, job.options);
+  const std::unique_ptr<OutputSink> sink = open_sink(job, file, sheet);
   Counted counted(*sink);
   {
     Progress progress(counted, live && !file.is_terminal(), job.path, job.forecast.points);

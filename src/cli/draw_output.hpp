@@ -7,6 +7,7 @@
 #include <burin/preset/plan.hpp>
 #include <cli/atomic_file.hpp>
 #include <cli/draw_request.hpp>
+#include <cli/tbb_executor.hpp>
 
 namespace burin::cli {
 
@@ -21,6 +22,7 @@ struct OutputJob {
   preset::RunOptions run;
   Forecast forecast;
   Origin origin;
+  const TbbExecutor* executor = nullptr;  ///< null: there is no work for several threads
 };
 
 /// What a finished output holds.

@@ -44,7 +44,7 @@ constexpr std::array option_rows{
     OptionRow{"max-points", 0, "N", "refuse to draw more points than this (5e7)"},
     OptionRow{"max-memory", 0, "MB", "refuse to draw what needs more memory than this (2000)"},
     OptionRow{"max-results", 0, "N", "refuse to draw more results of --seed and --sweep than this (10000)"},
-    OptionRow{"threads", 0, "N", "draw so many results at once (all cores); the files are the same"},
+    OptionRow{"threads", 0, "N", "so many threads: for results, or one large PNG (all cores); the files are the same"},
     OptionRow{"quiet", 'q', "", "errors only"},
     OptionRow{"verbose", 'v', "", "tell more: layers, data files"},
 };

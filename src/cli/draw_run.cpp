@@ -35,9 +35,12 @@ Problems unknown_layers(const Sheet& sheet, const DrawRequest& request) {
   return problems;
 }
 
+/// Fewer are drawn by one thread before others have begun.
+constexpr double points_worth_threads = 4e5;
+
 /// Every output with all that is known before it is opened.
 Result<std::vector<OutputJob>> make_jobs(const DrawingFor& drawing_for, const DrawRequest& request,
-                                         const std::stop_token& stop) {
+                                         const Surroundings& around) {
   std::vector<OutputJob> jobs;
   for (const RequestedOutput& output : request.outputs) {
     const Drawing& drawing = drawing_for(*output.back_end);
@@ -55,12 +58,13 @@ Result<std::vector<OutputJob>> make_jobs(const DrawingFor& drawing_for, const Dr
       return (request.only.empty() || contains(request.only, layer.name)) && !contains(request.skip, layer.name);
     };
     job.run.window = request.view;
-    job.run.stop = stop;
+    job.run.stop = around.stop;
     const Result<Forecast> forecast = drawing.check_size(job.run, request.max_points);
     if (!forecast) return forecast.problems();
     const Result<Done> fits = check_memory(*job.back_end, *forecast, sheet, job.options, request.max_memory_mb * 1e6);
     if (!fits) return fits.problems();
     job.forecast = *forecast;
+    if (forecast->points >= points_worth_threads) job.executor = around.executor;
     job.origin = drawing.origin(*job.back_end);
     jobs.push_back(std::move(job));
   }
@@ -105,7 +109,7 @@ DrawOutcome draw_outputs(const DrawingFor& drawing_for, const DrawRequest& reque
     Problems unknown = unknown_layers(drawing_for(*output.back_end).sheet, request);
     if (!unknown.empty()) return DrawOutcome::misused(std::move(unknown));
   }
-  const Result<std::vector<OutputJob>> jobs = make_jobs(drawing_for, request, around.stop);
+  const Result<std::vector<OutputJob>> jobs = make_jobs(drawing_for, request, around);
   if (!jobs) return DrawOutcome::failed(jobs.problems());
   const Result<std::vector<std::unique_ptr<AtomicFile>>> files = open_files(*jobs, around);
   if (around.stop.stop_requested()) return {ExitCode::interrupted};

@@ -10,6 +10,7 @@
 #include <cli/memory_budget.hpp>
 #include <cli/origin.hpp>
 #include <cli/preset_library.hpp>
+#include <cli/tbb_executor.hpp>
 #include <cli/temporaries.hpp>
 
 /// From a preset's text to finished files. Nothing here prints, but for the progress that `Surroundings` allows, and
@@ -30,8 +31,9 @@ Result<ReadyPiece> make_ready(PresetText preset, const preset::Overrides& overri
 struct Surroundings {
   Temporaries& temporaries;
   std::stop_token stop;
-  bool live = false;               ///< show on stderr how far it is
-  MemoryBudget* memory = nullptr;  ///< what drawings that go on at once share; null: each is alone
+  bool live = false;                      ///< show on stderr how far it is
+  MemoryBudget* memory = nullptr;         ///< what drawings that go on at once share; null: each is alone
+  const TbbExecutor* executor = nullptr;  ///< for what is large enough within a drawing; null: this thread does it
 };
 
 /// How a drawing ended.

@@ -41,6 +41,8 @@ SeriesOutcome draw_series(const PresetText& preset, const DrawRequest& request, 
   std::atomic<bool> cannot_write = false;
   Surroundings each = around;
   each.live = around.live && series.count() == 1;
+  // Several results are drawn at a time, each by one thread.
+  if (series.count() > 1) each.executor = nullptr;
 
   const auto draw_one = [&](std::size_t index) -> DrawOutcome {
     DrawRequest one = request;

@@ -45,12 +45,15 @@ void run_workers(std::size_t workers, const Worker& worker) {
 
 }  // namespace
 
+std::size_t TbbExecutor::workers() const {
+  return static_cast<std::size_t>(threads_ > 0 ? threads_ : tbb::info::default_concurrency());
+}
+
 void TbbExecutor::run(std::size_t count, const std::function<void(std::size_t)>& task) const {
-  const auto wanted = static_cast<std::size_t>(threads_ > 0 ? threads_ : tbb::info::default_concurrency());
-  const std::size_t workers = std::min(wanted, count);
-  if (workers <= 1) return SerialExecutor().run(count, task);
+  const std::size_t threads = std::min(workers(), count);
+  if (threads <= 1) return SerialExecutor().run(count, task);
   std::atomic<std::size_t> next = 0;
-  run_workers(workers, [&] {
+  run_workers(threads, [&] {
     for (std::size_t i = next++; i < count; i = next++) task(i);
   });
 }

@@ -13,6 +13,8 @@ class TbbExecutor final : public Executor {
 
   /// An exception of a task ends the run and reaches the caller.
   void run(std::size_t count, const std::function<void(std::size_t)>& task) const override;
+  /// How many tasks may be at work at once.
+  std::size_t workers() const;
 
  private:
   int threads_;

@@ -135,6 +135,7 @@ BURIN_AVX2 void cover_segment(const Convex& shape, const PixelBox& clip, MaskTil
   if (!kernel.suits()) return portable_kernel().cover(shape, clip, tiles);
   const PixelRun rows = rows_of(shape, clip);
   for (int j = rows.first; j < rows.end; ++j) {
+    if (!tiles.share().has(j)) continue;
     kernel.go_to_row(j);
     const PixelRun columns = columns_of(shape, clip, j);
     for (int i = columns.first; i < columns.end;) {
@@ -154,6 +155,7 @@ BURIN_AVX2 void cover_disc(const Convex& shape, const PixelBox& clip, MaskTiles&
   if (!kernel.suits()) return portable_kernel().cover(shape, clip, tiles);
   const PixelRun rows = rows_of(shape, clip);
   for (int j = rows.first; j < rows.end; ++j) {
+    if (!tiles.share().has(j)) continue;
     const PixelRun columns = columns_of(shape, clip, j);
     for (int i = columns.first; i < columns.end;) {
       const int end = std::min(columns.end, MaskTiles::end_of_tile(i));

@@ -10,7 +10,8 @@ namespace burin::output::raster {
 class Ink {
  public:
   /// Pre: part begins at whole tiles.
-  explicit Ink(const PixelBox& part, const Kernel& kernel = best_kernel()) : kernel_(&kernel), tiles_(part) {}
+  explicit Ink(const PixelBox& part, const Kernel& kernel = best_kernel(), RowShare share = {})
+      : kernel_(&kernel), tiles_(part, share) {}
 
   void add(const Convex& shape) { kernel_->cover(shape, tiles_.part(), tiles_); }
   void add(RoundPen& pen, const RoundSegment& segment) { kernel_->cover_round(pen, segment, tiles_.part(), tiles_); }

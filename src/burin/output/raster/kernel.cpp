@@ -11,6 +11,7 @@ namespace {
 void cover_portable(const Convex& shape, const PixelBox& clip, MaskTiles& tiles) {
   const PixelRun rows = rows_of(shape, clip);
   for (int j = rows.first; j < rows.end; ++j) {
+    if (!tiles.share().has(j)) continue;
     const PixelRun columns = columns_of(shape, clip, j);
     for (int i = columns.first; i < columns.end;) {
       const int end = std::min(columns.end, MaskTiles::end_of_tile(i));

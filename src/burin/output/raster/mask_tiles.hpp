@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <burin/output/raster/row_share.hpp>
 #include <burin/output/raster/sample_grid.hpp>
 
 namespace burin::output::raster {
@@ -19,13 +20,16 @@ class Tiles {
   using Tile = std::array<Value, static_cast<std::size_t>(width) * height>;
 
   /// Pre: part.left and part.top are multiples of a tile's width and height.
-  explicit Tiles(const PixelBox& part)
+  explicit Tiles(const PixelBox& part, RowShare share = {})
       : part_(part),
+        share_(share),
         columns_((part.width() + width - 1) / width),
         rows_((part.height() + height - 1) / height),
         tiles_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), nullptr) {}
 
   const PixelBox& part() const { return part_; }
+  /// The rows that are drawn here; others do not matter.
+  const RowShare& share() const { return share_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
 
@@ -80,6 +84,7 @@ class Tiles {
   }
 
   PixelBox part_;
+  RowShare share_;
   int columns_;
   int rows_;
   std::vector<Tile*> tiles_;

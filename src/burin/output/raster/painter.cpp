@@ -14,11 +14,11 @@ Box2 page_in_pixels(const Page& page, double dots_per_mm) {
 
 }  // namespace
 
-Painter::Painter(const Sheet& sheet, double dots_per_mm, const PixelBox& part, const Kernel& kernel)
+Painter::Painter(const Sheet& sheet, double dots_per_mm, const PixelBox& part, const Kernel& kernel, RowShare share)
     : sheet_(sheet),
       dots_per_mm_(dots_per_mm),
       page_(page_in_pixels(sheet.page, dots_per_mm).grown(1.0)),  // the last pixel may lie half outside
-      ink_(part, kernel),
+      ink_(part, kernel, share),
       picture_(part, sheet.page.paper),
       stroker_(ink_, page_),
       dashes_(stroker_) {}
@@ -55,10 +55,9 @@ Flow Painter::end() {
   return Flow::go;
 }
 
-const Picture& Painter::finish() {
+void Painter::finish() {
   if (layer_) leave_layer();
   layer_.reset();
-  return picture_;
 }
 
 void Painter::enter_layer(LayerId layer) {

@@ -9,12 +9,12 @@
 
 namespace burin::output::raster {
 
-/// Draws the layers of a sheet on a part of its page. A layer is one union of samples, laid over the picture when it is
-/// complete, so that its lines do not darken each other.
+/// Draws the layers of a sheet on its share of a part of the page. A layer is one union of samples, laid over the
+/// picture when it is complete, so that its lines do not darken each other.
 class Painter final : public PathSink {
  public:
   /// `sheet` must outlive the painter. Pre: `part` begins at whole tiles, and the page has at most 2^17 pixels a side.
-  Painter(const Sheet& sheet, double dots_per_mm, const PixelBox& part, const Kernel& kernel = best_kernel());
+  Painter(const Sheet& sheet, double dots_per_mm, const PixelBox& part, const Kernel& kernel, RowShare share);
 
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
@@ -22,7 +22,9 @@ class Painter final : public PathSink {
   Flow end() override;
 
   /// Completes the last layer.
-  const Picture& finish();
+  void finish();
+  /// Once all layers are complete.
+  const Picture& picture() const { return picture_; }
 
  private:
   bool strokes() const { return head_.paint == Paint::stroke; }

@@ -37,11 +37,9 @@ class Picture {
   template <class Blank, class Pixels>
   void visit_row(int j, const Blank& blank, const Pixels& pixels) const;
 
-  /// Every colour that shows, some of them many times, until visit(span) returns false.
+  /// The colours in the row of tiles that j is in, until visit(span) returns false.
   template <class Visit>
-  bool visit_colours(const Visit& visit) const;
-
-  Rgb paper() const { return paper_; }
+  bool visit_colours(int j, const Visit& visit) const;
 
   const PixelBox& part() const { return tiles_.part(); }
 
@@ -67,14 +65,10 @@ void Picture::visit_row(int j, const Blank& blank, const Pixels& pixels) const {
 }
 
 template <class Visit>
-bool Picture::visit_colours(const Visit& visit) const {
-  const Rgb paper[] = {paper_};
-  if (!visit(std::span<const Rgb>(paper))) return false;
-  for (int row = 0; row < tiles_.rows(); ++row) {
-    for (int column = 0; column < tiles_.columns(); ++column) {
-      const Tiles<Rgb>::Tile* const tile = tiles_.tile(column, row);
-      if (tile != nullptr && !visit(std::span<const Rgb>(*tile))) return false;
-    }
+bool Picture::visit_colours(int j, const Visit& visit) const {
+  for (int column = 0; column < tiles_.columns(); ++column) {
+    const Tiles<Rgb>::Tile* const tile = tiles_.tile(column, (j - part().top) / Tiles<Rgb>::height);
+    if (tile != nullptr && !visit(std::span<const Rgb>(*tile))) return false;
   }
   return true;
 }

@@ -12,7 +12,7 @@
 #include <burin/output/png_page.hpp>
 #include <burin/output/png_rows.hpp>
 #include <burin/output/raster/colour_index.hpp>
-#include <burin/output/raster/painter.hpp>
+#include <burin/output/raster/painter_team.hpp>
 #include <burin/output/raster/png.hpp>
 
 namespace burin::output {
@@ -20,8 +20,7 @@ namespace burin::output {
 namespace {
 
 using raster::MaskTiles;
-using raster::Painter;
-using raster::Picture;
+using raster::PainterTeam;
 using raster::PixelBox;
 using raster::Rgb;
 
@@ -44,10 +43,10 @@ class RasterPng final : public OutputSink {
  public:
   RasterPng(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options, const RasterPlan& plan);
 
-  Flow begin(const PathHead& head) override { return ok_ ? painter_->begin(head) : Flow::stop; }
-  Flow points(std::span<const Vec2> points) override { return painter_->points(points); }
-  Flow contour() override { return painter_->contour(); }
-  Flow end() override { return painter_->end(); }
+  Flow begin(const PathHead& head) override { return ok_ ? painters_->begin(head) : Flow::stop; }
+  Flow points(std::span<const Vec2> points) override { return painters_->points(points); }
+  Flow contour() override { return painters_->contour(); }
+  Flow end() override { return painters_->end(); }
 
   Box2 wanted_part_mm() const override;
   bool wants_another_run() override;
@@ -57,10 +56,10 @@ class RasterPng final : public OutputSink {
   void begin_band(int top);
   bool write(std::string_view bytes) { return ok_ = ok_ && bytes_.write(bytes); }
   bool is_whole_page() const { return band_.height() == static_cast<int>(head_.height); }
-  void choose_format(const Picture& picture);
-  void read_row(const Picture& picture, int j, std::uint8_t* bytes);
-  void write_page(const Picture& picture);
-  void write_band(const Picture& picture);
+  void choose_format();
+  void read_row(int j, std::uint8_t* bytes);
+  void write_page();
+  void write_band();
 
   ByteSink& bytes_;
   const Sheet& sheet_;
@@ -69,7 +68,8 @@ class RasterPng final : public OutputSink {
   PngHead head_;
   int rows_per_band_;
   PixelBox band_;
-  std::optional<Painter> painter_;
+  std::optional<PainterTeam> painters_;
+  raster::Workers workers_;
   std::unique_ptr<PngRows> rows_;  ///< for several bands
   raster::ColourIndex index_;
   bool ok_ = true;
@@ -77,7 +77,7 @@ class RasterPng final : public OutputSink {
 };
 
 RasterPng::RasterPng(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options, const RasterPlan& plan)
-    : bytes_(bytes), sheet_(sheet), dots_per_mm_(options.dots_per_mm), kernel_(*plan.kernel) {
+    : bytes_(bytes), sheet_(sheet), dots_per_mm_(options.dots_per_mm), kernel_(*plan.kernel), workers_(plan.workers) {
   const auto [width, height] = png_size(sheet.page, dots_per_mm_);
   head_.width = static_cast<std::uint32_t>(width);
   head_.height = static_cast<std::uint32_t>(height);
@@ -92,8 +92,8 @@ RasterPng::RasterPng(ByteSink& bytes, const Sheet& sheet, const OutputOptions& o
 
 void RasterPng::begin_band(int top) {
   band_ = {0, top, static_cast<int>(head_.width), std::min(top + rows_per_band_, static_cast<int>(head_.height))};
-  painter_.reset();
-  painter_.emplace(sheet_, dots_per_mm_, band_, kernel_);
+  painters_.reset();
+  painters_.emplace(sheet_, dots_per_mm_, band_, kernel_, workers_);
 }
 
 Box2 RasterPng::wanted_part_mm() const {
@@ -104,18 +104,19 @@ Box2 RasterPng::wanted_part_mm() const {
 
 bool RasterPng::wants_another_run() {
   if (!ok_ || band_.bottom == static_cast<int>(head_.height)) return false;
-  write_band(painter_->finish());
+  painters_->finish();
+  write_band();
   begin_band(band_.bottom);
   return ok_;
 }
 
 Result<Done> RasterPng::finish() {
   if (ok_) {
-    const Picture& picture = painter_->finish();
+    painters_->finish();
     if (is_whole_page()) {
-      write_page(picture);
+      write_page();
     } else {
-      write_band(picture);
+      write_band();
       had_memory_ = rows_->finish() || !ok_;
     }
   }
@@ -125,8 +126,9 @@ Result<Done> RasterPng::finish() {
 }
 
 /// By the colours of the whole page.
-void RasterPng::choose_format(const Picture& picture) {
-  const bool few_colours = picture.visit_colours([this](std::span<const Rgb> pixels) { return index_.add(pixels); });
+void RasterPng::choose_format() {
+  const bool few_colours = index_.add(raster::rgb_of(sheet_.page.paper)).has_value() &&
+                           painters_->visit_colours([this](std::span<const Rgb> pixels) { return index_.add(pixels); });
   if (few_colours && (head_.pixels != PngPixels::grey || index_.colours().size() <= most_packed)) {
     head_.pixels = PngPixels::palette;
     head_.palette = index_.colours();
@@ -134,49 +136,49 @@ void RasterPng::choose_format(const Picture& picture) {
 }
 
 /// The bytes of a row in the format that is chosen.
-void RasterPng::read_row(const Picture& picture, int j, std::uint8_t* bytes) {
+void RasterPng::read_row(int j, std::uint8_t* bytes) {
   if (head_.pixels == PngPixels::rgb) {
-    const std::vector<Rgb> paper(MaskTiles::width, picture.paper());
-    picture.visit_row(
+    const std::vector<Rgb> paper(MaskTiles::width, raster::rgb_of(sheet_.page.paper));
+    painters_->visit_row(
         j, [&](std::size_t count) { bytes = pack(std::span(paper).first(count), bytes); },
         [&](std::span<const Rgb> pixels) { bytes = pack(pixels, bytes); });
     return;
   }
   const bool is_grey = head_.pixels == PngPixels::grey;
-  const std::uint8_t paper =
-      is_grey ? static_cast<std::uint8_t>(picture.paper()) : index_.add(picture.paper()).value_or(0);
+  const std::uint8_t paper = is_grey ? static_cast<std::uint8_t>(raster::rgb_of(sheet_.page.paper))
+                                     : index_.add(raster::rgb_of(sheet_.page.paper)).value_or(0);
   const auto blank = [&](std::size_t count) { bytes = std::fill_n(bytes, count, paper); };
   const auto grey = [](Rgb rgb) { return static_cast<std::uint8_t>(rgb); };
   if (is_grey) {
-    picture.visit_row(j, blank, [&](std::span<const Rgb> pixels) {
+    painters_->visit_row(j, blank, [&](std::span<const Rgb> pixels) {
       bytes = std::transform(pixels.begin(), pixels.end(), bytes, grey);
     });
   } else {
-    picture.visit_row(j, blank, [&](std::span<const Rgb> pixels) { bytes = index_.translate(pixels, bytes); });
+    painters_->visit_row(j, blank, [&](std::span<const Rgb> pixels) { bytes = index_.translate(pixels, bytes); });
   }
 }
 
 /// The whole page in one piece, in the format that suits the colours it has.
-void RasterPng::write_page(const Picture& picture) {
-  choose_format(picture);
+void RasterPng::write_page() {
+  choose_format();
   if (head_.pixels == PngPixels::palette && head_.palette.size() <= most_packed) {
     PngRows rows(head_, [this](std::string_view some) { return write(some); });
     std::vector<std::uint8_t> row(head_.width);
     for (int j = 0; j < band_.bottom; ++j) {
-      read_row(picture, j, row.data());
+      read_row(j, row.data());
       rows.add(row.data());
     }
     had_memory_ = rows.finish() || !ok_;
     return;
   }
   const std::optional<std::string> file =
-      png_page(head_, [&](std::uint32_t j, std::uint8_t* row) { read_row(picture, static_cast<int>(j), row); });
+      png_page(head_, [&](std::uint32_t j, std::uint8_t* row) { read_row(static_cast<int>(j), row); });
   had_memory_ = file.has_value();
   if (file) write(*file);
 }
 
 /// A band; the first fixes the format by what colours there can be.
-void RasterPng::write_band(const Picture& picture) {
+void RasterPng::write_band() {
   if (rows_ == nullptr) {
     if (head_.pixels == PngPixels::rgb && sheet_.layers.size() == 1) {
       const SheetLayer& layer = sheet_.layers.front();
@@ -191,7 +193,7 @@ void RasterPng::write_band(const Picture& picture) {
   }
   std::vector<std::uint8_t> row(head_.bytes_per_row());
   for (int j = band_.top; j < band_.bottom && ok_; ++j) {
-    read_row(picture, j, row.data());
+    read_row(j, row.data());
     rows_->add(row.data());
   }
 }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <burin/output/raster/kernel.hpp>
+#include <burin/output/raster/painter_team.hpp>
 #include <burin/path/back_end.hpp>
 
 namespace burin::output {
@@ -15,11 +16,12 @@ namespace burin::output {
 /// a run of its own, and never need more than 64 MB, whatever their size.
 BackEnd png_back_end();
 
-/// How a page is drawn; for tests: none of it may show in the bytes.
+/// How a page is drawn. The bytes are the same for every kernel and any number of workers, the pixels for all bands.
 struct RasterPlan {
   double most_pixels_at_once = 16e6;
   double pixels_per_band = 3e6;
   const raster::Kernel* kernel = &raster::best_kernel();
+  raster::Workers workers{};
 };
 
 std::unique_ptr<OutputSink> open_png(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options,

@@ -40,6 +40,7 @@ void PolygonFill::fill(bool evenodd, const PixelBox& clip, MaskTiles& tiles) {
   std::vector<Edge> active;
   auto next = edges_.begin();
   for (int j = clip.top; j < clip.bottom; ++j) {
+    if (!tiles.share().has(j)) continue;
     const std::int64_t top = std::int64_t{j} * units_per_pixel;
     std::erase_if(active, [&](const Edge& edge) { return edge.to.y <= top; });
     for (; next != edges_.end() && next->from.y < top + units_per_pixel; ++next) {

@@ -57,6 +57,12 @@ __attribute__((noinline)) Samples exact_samples(const RoundSegment& segment, dou
 
 BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, const PixelBox& clip, MaskTiles& tiles) {
   const Point to = segment.to;
+  // All around both discs: most segments are in rows of one painter only.
+  const int reach = static_cast<int>(pen.half_width) + 2;
+  if (!tiles.share().has_any(pixel_of(std::min(segment.from.y, to.y) - reach),
+                             pixel_of(std::max(segment.from.y, to.y) + reach) + 1)) {
+    return;
+  }
   const Point vector = to - segment.from;
   RoundStep& step = pen.slot(vector);
   if (!(step.step == vector)) step = RoundStep(vector, pen.half_width);
@@ -70,6 +76,7 @@ BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, con
   const int right = std::min(clip.right, pixel_of(to.x + step.right) + 1);
   const bool is_wide = right - left > 3;
   for (int j = top; j < bottom; ++j) {
+    if (!tiles.share().has(j)) continue;
     const int y = to.y - j * units_per_pixel - sample_y(0, 0);
     int i = left;
     int row_end = right;

@@ -1,3 +1,6 @@
+#include <functional>
+#include <thread>
+
 #include <gtest/gtest.h>
 
 #include <burin/output/back_ends.hpp>
@@ -186,6 +189,65 @@ TEST(NativePng, HasTheSamePixelsInBandsAndWithEveryKernel) {
   for (const double pixels : {2000.0, 30000.0}) {
     const std::string bands = drawn(sheet, paths, options, {.most_pixels_at_once = 0.0, .pixels_per_band = pixels});
     EXPECT_EQ(decoded_png(bands).rgb, decoded_png(whole).rgb) << pixels;
+  }
+}
+
+/// Every task on a thread of its own.
+class Threads final : public Executor {
+ public:
+  void run(std::size_t count, const std::function<void(std::size_t)>& task) const override {
+    std::vector<std::thread> threads;
+    for (std::size_t k = 0; k < count; ++k) threads.emplace_back(task, k);
+    for (std::thread& thread : threads) thread.join();
+  }
+};
+
+/// Strokes, dashes and fills in three layers, of more points than are kept at once.
+std::vector<DrawnPath> many_points() {
+  std::vector<DrawnPath> paths = random_paths(10, 3, 24);
+  Dice dice(41);
+  std::vector<Vec2> line = {{100.0, 150.0}};
+  while (line.size() < 100'000) {
+    const Vec2 next = line.back() + Vec2{dice.between(-3.0, 3.0), dice.between(-3.0, 3.0)};
+    line.push_back(next.x > 0.0 && next.x < 200.0 && next.y > 0.0 && next.y < 300.0 ? next : Vec2{100.0, 150.0});
+  }
+  for (auto path = paths.begin(); path != paths.end(); ++path) {
+    if (path->head.layer != 1) continue;
+    paths.insert(path, {{.layer = 1}, {line}});
+    break;
+  }
+  return paths;
+}
+
+TEST(NativePng, HasTheSameBytesForAnyNumberOfWorkers) {
+  const Sheet sheet = mixed_sheet();
+  const std::vector<DrawnPath> paths = many_points();
+  OutputOptions options;
+  options.dots_per_mm = 1.0;
+  const Threads threads;
+  const std::string one = drawn(sheet, paths, options);
+  for (const std::size_t count : {2U, 3U, 4U}) {
+    EXPECT_TRUE(drawn(sheet, paths, options, {.workers = {&threads, count}}) == one) << count;
+    const RasterPlan bands{.most_pixels_at_once = 0.0, .pixels_per_band = 20'000.0, .workers = {&threads, count}};
+    EXPECT_EQ(decoded_png(drawn(sheet, paths, options, bands)).rgb, decoded_png(one).rgb) << count;
+  }
+}
+
+TEST(RowShare, GivesEveryRowToOnePainter) {
+  for (const int painters : {1, 2, 4, 8}) {
+    for (int first = 0; first < 300; ++first) {
+      int owners = 0;
+      for (int k = 0; k < painters; ++k) {
+        const output::raster::RowShare share{k, painters - 1};
+        owners += share.has(first) ? 1 : 0;
+        for (int end = first + 1; end < first + 300; end += 13) {
+          bool has_one = false;
+          for (int row = first; row < end; ++row) has_one = has_one || share.has(row);
+          EXPECT_EQ(share.has_any(first, end), has_one) << k << ' ' << first << ' ' << end;
+        }
+      }
+      EXPECT_EQ(owners, 1);
+    }
   }
 }
 

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <bit>
+
+#include <burin/output/raster/painter_team.hpp>
+
+namespace burin::output::raster {
+
+namespace {
+
+/// Of a piece of the drawing: worth a millisecond or more of work, and small beside a page.
+constexpr std::size_t points_at_once = 1U << 15U;
+constexpr std::size_t calls_at_once = 1U << 14U;
+/// Each has to walk along all points.
+constexpr std::size_t most_painters = 16;
+
+}  // namespace
+
+PainterTeam::PainterTeam(const Sheet& sheet, double dots_per_mm, const PixelBox& part, const Kernel& kernel,
+                         const Workers& workers)
+    : sheet_(sheet), dots_per_mm_(dots_per_mm), part_(part), kernel_(kernel), workers_(workers) {
+  if (!keeps_calls()) hire(1);
+}
+
+Flow PainterTeam::begin(const PathHead& head) {
+  if (!keeps_calls()) return painters_.front()->begin(head);
+  calls_.push_back({Call::What::begin, head});
+  return Flow::go;
+}
+
+Flow PainterTeam::points(std::span<const Vec2> points) {
+  if (!keeps_calls()) return painters_.front()->points(points);
+  calls_.push_back({Call::What::points, {}, points.size()});
+  points_.insert(points_.end(), points.begin(), points.end());
+  if (points_.size() >= points_at_once || calls_.size() >= calls_at_once) paint_kept();
+  return Flow::go;
+}
+
+Flow PainterTeam::contour() {
+  if (!keeps_calls()) return painters_.front()->contour();
+  calls_.push_back({Call::What::contour});
+  return Flow::go;
+}
+
+Flow PainterTeam::end() {
+  if (!keeps_calls()) return painters_.front()->end();
+  calls_.push_back({Call::What::end});
+  return Flow::go;
+}
+
+void PainterTeam::finish() {
+  if (painters_.empty()) hire(1);
+  if (painters_.size() == 1) {
+    repeat_calls(*painters_.front());
+    painters_.front()->finish();
+    return;
+  }
+  workers_.executor->run(painters_.size(), [this](std::size_t k) {
+    repeat_calls(*painters_[k]);
+    painters_[k]->finish();
+  });
+}
+
+/// Pre: count is a power of two.
+void PainterTeam::hire(std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const RowShare share{static_cast<int>(k), static_cast<int>(count - 1)};
+    painters_.push_back(std::make_unique<Painter>(sheet_, dots_per_mm_, part_, kernel_, share));
+  }
+}
+
+void PainterTeam::paint_kept() {
+  if (painters_.empty()) hire(std::bit_ceil(std::min(workers_.count, most_painters)));
+  workers_.executor->run(painters_.size(), [this](std::size_t k) { repeat_calls(*painters_[k]); });
+  calls_.clear();
+  points_.clear();
+}
+
+void PainterTeam::repeat_calls(PathSink& to) const {
+  std::span<const Vec2> rest(points_);
+  // A painter never stops a drawing.
+  for (const Call& call : calls_) {
+    switch (call.what) {
+      case Call::What::begin:
+        static_cast<void>(to.begin(call.head));
+        break;
+      case Call::What::points:
+        static_cast<void>(to.points(rest.first(call.count)));
+        rest = rest.subspan(call.count);
+        break;
+      case Call::What::contour:
+        static_cast<void>(to.contour());
+        break;
+      case Call::What::end:
+        static_cast<void>(to.end());
+        break;
+    }
+  }
+}
+
+}  // namespace burin::output::raster
