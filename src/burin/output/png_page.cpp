@@ -98,4 +98,11 @@ std::optional<std::string> png_page(const PngHead& head, const ReadRow& read_row
   return file ? file : at_once(head, read_row);
 }
 
+std::optional<std::string> png_page(const PngHead& head, const std::vector<std::uint8_t>& bytes) {
+  BURIN_EXPECT(bytes.size() == head.bytes_per_row() * head.height);
+  return png_page(head, [&](std::uint32_t j, std::uint8_t* row) {
+    std::memcpy(row, bytes.data() + j * head.bytes_per_row(), head.bytes_per_row());
+  });
+}
+
 }  // namespace burin::output
