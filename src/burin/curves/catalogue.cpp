@@ -5,19 +5,37 @@
 #include <burin/curves/family.hpp>
 #include <burin/curves/four_parameter.hpp>
 #include <burin/curves/four_point.hpp>
+#include <burin/curves/line_art/line_art.hpp>
 #include <burin/curves/text/text.hpp>
 #include <burin/curves/two_point/two_point.hpp>
 
 namespace burin::curves {
 
 std::span<const Family> catalogue() {
-  static const std::array<Family, 5> families{
-      two_point_family(), de_rham_family(), four_point_family(), four_parameter_family(), text_family(),
+  static const std::array<Family, 7> families{
+      two_point_family(), de_rham_family(),           four_point_family(), four_parameter_family(),
+      line_art_family(),  line_art_boundary_family(), text_family(),
   };
   return families;
 }
 
+namespace {
+
+/// Other names that families go by.
+struct Alias {
+  std::string_view name;
+  std::string_view family;
+};
+
+/// The paper spells Dehlinger its own way.
+constexpr std::array<Alias, 2> aliases{{{"delinger", "line-art"}, {"delinger-boundary", "line-art-boundary"}}};
+
+}  // namespace
+
 const Family* find_family(std::string_view name) {
+  for (const Alias& alias : aliases) {
+    if (alias.name == name) name = alias.family;
+  }
   const std::span<const Family> families = catalogue();
   const auto row = std::find_if(families.begin(), families.end(), [&](const Family& f) { return f.name == name; });
   return row == families.end() ? nullptr : &*row;

@@ -1,3 +1,4 @@
+#include <burin/curves/line_art/composition.hpp>
 #include <burin/curves/two_point/two_point.hpp>
 #include <burin/preset/knobs.hpp>
 #include <burin/preset/load.hpp>
@@ -18,6 +19,10 @@ std::vector<FormatTable> format_tables() {
        params::field_infos<LayerStyle>()},
       {"base", "what a curve refines, written as a table", curves::base_fields()},
       {"motif", "what replaces an edge, written as a table", curves::two_point::motif_fields()},
+      {"region", "where line art begins, ends or may not be, written as a table with one key",
+       curves::line_art::region_fields()},
+      {"compose", "which polylines of line art become strokes, and how much of them",
+       params::field_infos<curves::line_art::Composition>()},
   };
 }
 

@@ -14,6 +14,39 @@
 namespace burin::curves {
 namespace {
 
+std::vector<std::string> line_art_cases() {
+  const auto over_square = [](const std::string& rest) {
+    return "{\"lines\": 200, \"start\": [0, 0, 1, 1], " + rest + "}";
+  };
+  return {
+      R"({})",
+      R"({"lines": 1, "segments": 1, "length": 0})",
+      R"({"starts": 7, "lines_per_start": 3, "spread": 360, "turn": 3600, "start": {"disc": [0, 0, 2]}})",
+      R"({"lines": 20, "start": {"polygon": "square"}})",
+      over_square(R"("segments": [1, 40], "places": "even", "flow": "200 * noise(2*x, y) + 5", "follow": 0.5)"),
+      over_square(R"("grow": "both", "stretch": "1.2 - t - rand", "heading": 20)"),
+      over_square(R"("compose": {"density": "x", "kind": "3 * rand", "smooth": "corners", "shortest": 0.05})"),
+      over_square(R"("compose": {"inside": [-0.1, 0, 1, 1], "keep_out": {"disc": [1, 1, 1]}, "meet": "resume"})"),
+      over_square(R"("compose": {"smooth": "four-point", "smooth_levels": 2, "spacing": 0.02, "budget": 20})"),
+      over_square(R"("compose": {"tone": "0.5 * x", "pen_width": 0.01, "meet": "drop"})"),
+  };
+}
+
+std::vector<std::string> line_art_boundary_cases() {
+  const auto tracks = [](const std::string& rest) {
+    return R"({"lines": 90, "from": {"along": "triangle"}, "to": [[3, 3], {"along": "square"}], )" + rest + "}";
+  };
+  return {
+      R"({})",
+      R"({"lines": 1, "levels": 0})",
+      R"({"levels": 7, "lines": 2, "markers": [0.3], "decay": 0.5})",
+      R"({"levels": 3, "markers": [], "from": [0, 0], "to": [1, 1]})",
+      R"({"levels": 3, "from": [0, 0], "to": [0, 0], "unit": "absolute"})",
+      tracks(R"("lines_per_start": 4, "weights": [0, 1], "pairing": "crossed", "places": "steps")"),
+      tracks(R"("pairing": "nearest", "wander": "y", "compose": {"spacing": 0.003, "density": "span < 3"})"),
+  };
+}
+
 /// Cases of a family, as JSON. A new family adds its own line.
 std::vector<std::string> cases_of(std::string_view family) {
   if (family == "text") {
@@ -54,6 +87,8 @@ std::vector<std::string> cases_of(std::string_view family) {
             R"({"levels": 4, "base": {"points": [[1, 1], [1, 1]], "closed": true}})",
             R"({"lambda": -1, "mu": 3, "nu": 2, "omega": -2, "levels": 5, "base": {"path": "M0 0h1v1z M3 0h1v1"}})"};
   }
+  if (family == "line-art") return line_art_cases();
+  if (family == "line-art-boundary") return line_art_boundary_cases();
   EXPECT_EQ(family, "two-point") << "a new family needs its cases here";
   return {
       R"({})",

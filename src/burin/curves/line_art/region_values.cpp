@@ -1,0 +1,250 @@
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <burin/base/number_text.hpp>
+#include <burin/base/random.hpp>
+#include <burin/curves/line_art/region.hpp>
+
+/// How regions are written in presets.
+namespace burin::curves::line_art {
+
+namespace {
+
+/// Numbers in a list, as many as wanted.
+template <std::size_t N>
+struct Numbers {
+  std::array<double, N> values{};
+};
+
+/// The keys of a region written as a table.
+struct RegionSpec {
+  std::optional<Vec2> point;
+  std::optional<Numbers<4>> segment;
+  std::optional<Numbers<4>> rectangle;
+  std::optional<Numbers<3>> disc;
+  std::optional<Numbers<4>> ring;
+  std::optional<BaseShape> polygon;
+  std::optional<BaseShape> along;
+  std::optional<BaseShape> points;
+
+  static constexpr auto fields();
+};
+
+}  // namespace
+
+}  // namespace burin::curves::line_art
+
+template <std::size_t N>
+struct burin::params::ValueType<burin::curves::line_art::Numbers<N>> {
+  static std::string name() { return std::to_string(N) + " numbers"; }
+  static bool read(const Value& value, burin::curves::line_art::Numbers<N>& numbers, ReadContext& context) {
+    const Array* array = value.array();
+    if (array == nullptr) return report_kind(value, "a list of " + name(), context);
+    if (array->size() != N) {
+      context.report(value.where, fmt::format("expected a list of {}, found a list of {}", name(), array->size()));
+      return false;
+    }
+    bool all = true;
+    for (std::size_t i = 0; i < N; ++i) all = read_number((*array)[i], numbers.values[i], context) && all;
+    return all;
+  }
+  static std::string text(const burin::curves::line_art::Numbers<N>&) { return {}; }
+};
+
+namespace burin::curves::line_art {
+
+namespace {
+
+constexpr auto RegionSpec::fields() {
+  using params::field;
+  return std::tuple{
+      field("point", &RegionSpec::point, "[x, y]"),
+      field("segment", &RegionSpec::segment, "[x0, y0, x1, y1]: its two ends"),
+      field("rectangle", &RegionSpec::rectangle, "[x0, y0, x1, y1]: two opposite corners"),
+      field("disc", &RegionSpec::disc, "[x, y, radius]"),
+      field("ring", &RegionSpec::ring, "[x, y, inner radius, outer radius]"),
+      field("polygon", &RegionSpec::polygon,
+            "the inside of a base: \"triangle\", { points = ... }, { path = \"M0 0 ...\" }, { csv = ... }"),
+      field("along", &RegionSpec::along, "the line of a base, by its length"),
+      field("points", &RegionSpec::points, "the corners of a base, such as { csv = \"file\" }")};
+}
+static_assert(params::ParamStruct<RegionSpec>);
+
+/// Whether random places in the area's box hit it often enough to be found.
+bool can_be_hit(const AreaRegion& area) {
+  constexpr std::uint64_t tries = 8192;
+  constexpr int enough = 8;
+  const Region region{area};
+  int hits = 0;
+  for (std::uint64_t i = 0; i < tries && hits < enough; ++i) {
+    const Vec2 p{area.box.low.x + area.box.width() * uniform(i, 1), area.box.low.y + area.box.height() * uniform(i, 2)};
+    if (region.contains(p)) ++hits;
+  }
+  return hits == enough;
+}
+
+std::optional<AreaRegion> area_of(const BaseShape& base, const Where& where, params::ReadContext& context) {
+  AreaRegion area{base.polylines, {}};
+  for (Polyline& outline : area.outlines) {
+    outline.closed = true;
+    for (const Vec2 p : outline.points) area.box.add(p);
+  }
+  if (can_be_hit(area)) return area;
+  context.report(where, "the polygon fills less than a thousandth of its box; give it as 'along' or in thicker parts");
+  return std::nullopt;
+}
+
+std::optional<TrackRegion> track_of(const BaseShape& base, const Where& where, params::ReadContext& context) {
+  TrackRegion track{base.polylines, {}};
+  double total = 0.0;
+  for (const Polyline& polyline : track.polylines) {
+    for (std::size_t e = 0; e < polyline.edge_count(); ++e) {
+      total += distance(polyline.edge_begin(e), polyline.edge_end(e));
+      track.lengths.push_back(total);
+    }
+  }
+  if (total > 0.0) return track;
+  context.report(where, "the line has no length; give it as 'point'");
+  return std::nullopt;
+}
+
+bool read_ring(const std::array<double, 4>& ring, const Where& where, Region& region, params::ReadContext& context) {
+  const auto [x, y, inner, outer] = ring;
+  if (!(inner >= 0.0 && inner < outer)) {
+    context.report(where, fmt::format("a ring's radii are 0 <= inner < outer, found {} and {}", shortest_text(inner),
+                                      shortest_text(outer)));
+    return false;
+  }
+  region.shape = RingRegion{{x, y}, inner, outer};
+  return true;
+}
+
+bool read_spec(const params::Table& table, const Where& where, Region& region, params::ReadContext& context) {
+  RegionSpec spec;
+  if (!params::read_fields(table, spec, "region", context)) return false;
+  if (table.entries.size() != 1) {
+    context.report(where,
+                   "a region needs exactly one of 'point', 'segment', 'rectangle', 'disc', 'ring', 'polygon', 'along' "
+                   "and 'points'");
+    return false;
+  }
+  const Where& at = table.entries.front().value.where;
+  if (spec.point) {
+    region.shape = SpotRegion{*spec.point};
+  } else if (spec.segment) {
+    const auto [x0, y0, x1, y1] = spec.segment->values;
+    region.shape = SegmentRegion{{x0, y0}, {x1, y1}};
+  } else if (spec.rectangle) {
+    const auto [x0, y0, x1, y1] = spec.rectangle->values;
+    region.shape = RectangleRegion{{x0, y0}, {x1, y1}};
+  } else if (spec.disc) {
+    const auto [x, y, radius] = spec.disc->values;
+    return read_ring({x, y, 0.0, radius}, at, region, context);
+  } else if (spec.ring) {
+    return read_ring(spec.ring->values, at, region, context);
+  } else if (spec.polygon) {
+    std::optional<AreaRegion> area = area_of(*spec.polygon, at, context);
+    if (!area) return false;
+    region.shape = *std::move(area);
+  } else if (spec.along) {
+    std::optional<TrackRegion> track = track_of(*spec.along, at, context);
+    if (!track) return false;
+    region.shape = *std::move(track);
+  } else {
+    PointsRegion set;
+    for (const Polyline& polyline : spec.points->polylines) {
+      set.points.insert(set.points.end(), polyline.points.begin(), polyline.points.end());
+    }
+    region.shape = std::move(set);
+  }
+  return true;
+}
+
+/// Holds a region to `farthest`, so that no place is out of range.
+bool check_reach(const Region& region, const Where& where, params::ReadContext& context) {
+  const Box2 box = region.box();
+  if (Box2{{-farthest, -farthest}, {farthest, farthest}}.contains(box.low) && std::abs(box.high.x) <= farthest &&
+      std::abs(box.high.y) <= farthest) {
+    return true;
+  }
+  context.report(where, "the region reaches beyond 1e12");
+  return false;
+}
+
+/// [x, y] or [x0, y0, x1, y1].
+bool read_numbers(const params::Value& value, const params::Array& array, Region& region,
+                  params::ReadContext& context) {
+  if (array.size() != 2 && array.size() != 4) {
+    context.report(value.where,
+                   fmt::format("a region is [x, y], [x0, y0, x1, y1] or a table, found a list of {}", array.size()));
+    return false;
+  }
+  std::array<double, 4> numbers{};
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    if (!params::read_number(array[i], numbers[i], context)) return false;
+  }
+  const auto [x0, y0, x1, y1] = numbers;
+  if (array.size() == 2) {
+    region.shape = SpotRegion{{x0, y0}};
+  } else {
+    region.shape = RectangleRegion{{x0, y0}, {x1, y1}};
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<params::FieldInfo> region_fields() {
+  return params::field_infos<RegionSpec>();
+}
+
+}  // namespace burin::curves::line_art
+
+namespace burin::params {
+
+using curves::line_art::Region;
+using curves::line_art::Regions;
+
+bool ValueType<Region>::read(const Value& value, Region& region, ReadContext& context) {
+  if (const Table* table = value.table()) {
+    return curves::line_art::read_spec(*table, value.where, region, context) &&
+           curves::line_art::check_reach(region, value.where, context);
+  }
+  if (const Array* array = value.array()) {
+    return curves::line_art::read_numbers(value, *array, region, context) &&
+           curves::line_art::check_reach(region, value.where, context);
+  }
+  const std::string* word = value.text();
+  const Value* defined = word == nullptr ? nullptr : context.defined(*word);
+  if (defined == nullptr || defined->text() != nullptr) {
+    return report_kind(value, "a region: [x, y], a table such as { disc = [0, 0, 1] }, or the name of a define",
+                       context);
+  }
+  return read(*defined, region, context);
+}
+
+std::string ValueType<Region>::text(const Region& region) {
+  const auto* spot = std::get_if<curves::line_art::SpotRegion>(&region.shape);
+  return spot == nullptr ? std::string() : ValueType<Vec2>::text(spot->at);
+}
+
+bool ValueType<Regions>::read(const Value& value, Regions& regions, ReadContext& context) {
+  const Array* array = value.array();
+  const bool is_list = array != nullptr && !array->empty() &&
+                       (array->front().table() != nullptr || array->front().array() != nullptr ||
+                        (array->front().text() != nullptr && context.defined(*array->front().text()) != nullptr));
+  if (is_list) return ValueType<std::vector<Region>>::read(value, regions.all, context);
+  Region one;
+  if (!ValueType<Region>::read(value, one, context)) return false;
+  regions.all = {std::move(one)};
+  return true;
+}
+
+std::string ValueType<Regions>::text(const Regions& regions) {
+  return regions.all.size() == 1 ? ValueType<Region>::text(regions.all.front()) : std::string();
+}
+
+}  // namespace burin::params
