@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <burin/base/math.hpp>
 #include <burin/base/number_text.hpp>
 #include <burin/curves/de_rham.hpp>
 #include <burin/curves/subdivision/convergence.hpp>
@@ -188,8 +187,7 @@ struct DeRhamFamily {
     const double radius = de_rham_spectral_radius(t);
     std::string text = fmt::format("t = {} in the near order: {}\n", shortest_text(t), behaviour(t));
     if (t > 0.0 && t < 1.0) {
-      text += fmt::format("converges, for 0 < t < 1; H\u00f6lder exponent {} as a function of its parameter\n",
-                          fixed_text(-math::log2(radius), 6));
+      text += fmt::format("converges, for 0 < t < 1: the longest edge shrinks like {}^level\n", fixed_text(radius, 6));
     } else {
       text += "does not converge to a continuous curve for all bases: that is so just for 0 < t < 1\n";
     }

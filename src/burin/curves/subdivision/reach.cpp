@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <burin/curves/subdivision/reach.hpp>
@@ -24,6 +25,12 @@ struct Word {
   double growth = 0.0;
 };
 using WordsByLength = std::array<std::vector<Word>, longest_word + 1>;
+
+/// The larger of two bounds; what is no number counts as beyond all numbers.
+double larger(double a, double b) {
+  if (std::isnan(b)) return std::numeric_limits<double>::infinity();
+  return std::max(a, b);
+}
 
 Matrix identity(std::size_t size) {
   Matrix one(size);
@@ -64,7 +71,7 @@ double growth_of(const Matrix& word, int order) {
     rows.pop_back();
   }
   double growth = 0.0;
-  for (const Functional& row : rows) growth = std::max(growth, norm_in_differences(row, order));
+  for (const Functional& row : rows) growth = larger(growth, norm_in_differences(row, order));
   return growth;
 }
 
@@ -86,7 +93,7 @@ std::vector<double> table_of(const WordsByLength& words, double at_last, int lev
     const std::size_t length = std::min(k, longest_word);
     double farthest = 0.0;
     for (const Word& word : words[length]) {
-      farthest = std::max(farthest, word.away + scaled(table[k - length], word.growth));
+      farthest = larger(farthest, word.away + scaled(table[k - length], word.growth));
     }
     table.push_back(farthest);
   }
@@ -149,7 +156,7 @@ void add_bend(const WindowMaps& maps, int levels, Reach& reach) {
     double away = 0.0;
     for (const double end : {reach.from, reach.to}) {
       const Functional point = point_at(word, end);
-      away = std::max(away, norm_in_differences(plus(point, -1.0, point_at(one, dot(point, line))), 2));
+      away = larger(away, norm_in_differences(plus(point, -1.0, point_at(one, dot(point, line))), 2));
     }
     words[length].push_back({away, growth_of(word, 2)});
   });
