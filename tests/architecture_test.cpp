@@ -43,6 +43,7 @@ const std::vector<Library> third_parties{
     {"oneapi/", {"src/cli/"}},
     {"zlib.h", {"src/cli/recover/"}},
     {"pugixml", {"src/burin/data/"}},
+    {"jpeglib.h", {"src/burin/data/"}},
 };
 
 constexpr int max_lines = 500;

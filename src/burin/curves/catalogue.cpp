@@ -6,15 +6,18 @@
 #include <burin/curves/four_parameter.hpp>
 #include <burin/curves/four_point.hpp>
 #include <burin/curves/line_art/line_art.hpp>
+#include <burin/curves/shape.hpp>
+#include <burin/curves/svg/svg.hpp>
 #include <burin/curves/text/text.hpp>
 #include <burin/curves/two_point/two_point.hpp>
 
 namespace burin::curves {
 
 std::span<const Family> catalogue() {
-  static const std::array<Family, 7> families{
+  static const std::array<Family, 9> families{
       two_point_family(), de_rham_family(),           four_point_family(), four_parameter_family(),
-      line_art_family(),  line_art_boundary_family(), text_family(),
+      line_art_family(),  line_art_boundary_family(), text_family(),       svg_family(),
+      shape_family(),
   };
   return families;
 }

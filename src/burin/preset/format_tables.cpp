@@ -3,6 +3,7 @@
 #include <burin/preset/knobs.hpp>
 #include <burin/preset/load.hpp>
 #include <burin/preset/piece_values.hpp>
+#include <burin/primitives/figure_spec.hpp>
 
 namespace burin::preset {
 
@@ -14,10 +15,11 @@ std::vector<FormatTable> format_tables() {
       {"pen", "what draws; numbered in file order", params::field_infos<PenSpec>()},
       {"slot", "a rectangle of the page with one fit for the layers in it", params::field_infos<SlotSpec>()},
       {"layer",
-       "a curve or a text drawn with a pen in a slot: 'curve' is a define's name or a table with 'family', 'text' what "
-       "is written or a table with 'text'",
+       "something drawn with a pen in a slot: a 'curve' (a define's name or a table with 'family'), a 'text' (what is "
+       "written or a table with 'text'), an 'svg' (a file or a table with 'file') or a 'shape' (a kind or a table)",
        params::field_infos<LayerStyle>()},
       {"base", "what a curve refines, written as a table", curves::base_fields()},
+      {"figure", "something to be placed, written as a table in [define]", primitives::figure_fields()},
       {"motif", "what replaces an edge, written as a table", curves::two_point::motif_fields()},
       {"region", "where line art begins, ends or may not be, written as a table with one key",
        curves::line_art::region_fields()},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -6,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <burin/base/suggest.hpp>
+#include <burin/curves/svg/svg.hpp>
 #include <burin/preset/layers.hpp>
 #include <burin/preset/piece_values.hpp>
 
@@ -23,10 +25,27 @@ const std::string* text_of(const Table* table, std::string_view key) {
   return value == nullptr ? nullptr : value->text();
 }
 
+/// A source of a layer that is short for a curve of the family of the same name.
+struct ShortSource {
+  std::string_view key;
+  std::string_view main_field;  ///< what a value that is no table stands for
+  std::string_view expected;
+};
+
+constexpr std::array<ShortSource, 3> short_sources{
+    {{"text", "text", "what is written, or a table with 'text'"},
+     {"svg", "file", "the name of an SVG file, or a table with 'file'"},
+     {"shape", "kind", "a kind of shape such as \"disc\", or a table with 'kind'"}}};
+
 /// "layer" when the curve does not tell.
 std::string implied_name(const Value& layer) {
   const Value* curve = layer.table() == nullptr ? nullptr : layer.table()->find("curve");
-  if (curve == nullptr) return layer.table() != nullptr && layer.table()->find("text") != nullptr ? "text" : "layer";
+  if (curve == nullptr) {
+    const auto source = std::find_if(short_sources.begin(), short_sources.end(), [&](const ShortSource& s) {
+      return layer.table() != nullptr && layer.table()->find(s.key) != nullptr;
+    });
+    return source == short_sources.end() ? "layer" : std::string(source->key);
+  }
   if (curve->text() != nullptr) return *curve->text();
   for (const char* key : {"like", "family"}) {
     if (const std::string* name = text_of(curve->table(), key)) return *name;
@@ -62,21 +81,11 @@ class LayerReader {
       params::report_kind(value, "a table: [[layer]]", context_);
       return layer;
     }
-    params::read_fields(*table, layer.style, "layer '" + name + "'", context_, {"curve", "text"});
+    params::read_fields(*table, layer.style, "layer '" + name + "'", context_, source_keys());
     layer.style.name = name;
     check_style(*table, layer.style, value.where);
     if (layer.style.pen.of.empty()) layer.style.pen.of = {std::string(pens_.front())};
-    const Value* curve = table->find("curve");
-    const Value* text = table->find("text");
-    if (curve != nullptr && text != nullptr) {
-      context_.report(text->where, fmt::format("layer '{}' has a 'curve' and a 'text'; give each its own layer", name));
-    } else if (curve != nullptr) {
-      read_curve(*curve, layer);
-    } else if (text != nullptr) {
-      read_text(*text, layer);
-    } else {
-      context_.report(value.where, fmt::format("layer '{}' draws nothing; give it a 'curve' or a 'text'", name));
-    }
+    read_source(*table, layer, name);
     return layer;
   }
 
@@ -143,25 +152,63 @@ class LayerReader {
     read_family(*table, curve->where, layer);
   }
 
+  static std::vector<std::string_view> source_keys() {
+    std::vector<std::string_view> keys{"curve"};
+    for (const ShortSource& source : short_sources) keys.push_back(source.key);
+    return keys;
+  }
+
+  /// The one source that a layer has.
+  void read_source(const Table& table, Layer& layer, const std::string& name) {
+    std::vector<std::string_view> given;
+    for (const std::string_view key : source_keys()) {
+      if (table.find(key) != nullptr) given.push_back(key);
+    }
+    if (given.empty()) {
+      context_.report(layer.where,
+                      fmt::format("layer '{}' draws nothing; give it a 'curve', 'text', 'svg' or 'shape'", name));
+    } else if (given.size() > 1) {
+      context_.report(
+          table.find(given[1])->where,
+          fmt::format("layer '{}' has a '{}' and a '{}'; give each its own layer", name, given[0], given[1]));
+    } else if (given[0] == "curve") {
+      read_curve(*table.find("curve"), layer);
+    } else {
+      const auto source = std::find_if(short_sources.begin(), short_sources.end(),
+                                       [&](const ShortSource& s) { return s.key == given[0]; });
+      read_short_source(*table.find(source->key), *source, layer);
+    }
+    check_own_paint(table, layer);
+  }
+
   /// `text = "..."` and `text = { text = "...", ... }` are short for a curve of the family of that name.
-  void read_text(const Value& value, Layer& layer) {
-    const std::string family = "text";
+  void read_short_source(const Value& value, const ShortSource& source, Layer& layer) {
     Table table;
     if (value.table() != nullptr) {
       table = *value.table();
     } else if (value.text() != nullptr) {
-      table.set("text", value);
+      table.set(std::string(source.main_field), value);
     } else {
-      params::report_kind(value, "what is written, or a table with 'text'", context_);
+      params::report_kind(value, source.expected, context_);
       return;
     }
     const Value* written = table.find("family");
-    if (written != nullptr && (written->text() == nullptr || *written->text() != family)) {
-      context_.report(written->where, "a text has no other family; draw curves by 'curve'");
+    if (written != nullptr && (written->text() == nullptr || *written->text() != source.key)) {
+      context_.report(written->where, fmt::format("'{}' has no other family; draw curves by 'curve'", source.key));
       return;
     }
-    table.set("family", {value.where, family});
+    table.set("family", {value.where, std::string(source.key)});
     read_family(table, value.where, layer);
+  }
+
+  /// An SVG that is drawn as it paints itself is not painted by its layer too.
+  void check_own_paint(const Table& table, const Layer& layer) {
+    const auto* svg = std::any_cast<curves::SvgParams>(&layer.parameters);
+    const Value* fill = table.find("fill");
+    if (svg == nullptr || fill == nullptr || svg->parts == data::SvgParts::outlines) return;
+    context_.report(fill->where,
+                    "an svg fills itself, with the layer's pen; for an area in another pen make a layer with "
+                    "parts = \"fills\", or fill its parts = \"outlines\"");
   }
 
   void read_family(const Table& table, const Where& where, Layer& layer) {

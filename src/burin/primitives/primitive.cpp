@@ -1,17 +1,18 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include <burin/data/svg/paths.hpp>
 #include <burin/geom/affine2.hpp>
 #include <burin/path/decorators.hpp>
+#include <burin/path/draw_path.hpp>
 #include <burin/primitives/primitive.hpp>
 
 namespace burin::primitives {
 
 namespace {
-
-using data::Subpath;
 
 /// "leaf" of "figures/leaf.svg".
 std::string stem(const std::string& file) {
@@ -32,27 +33,13 @@ Affine2 upright_from_px(const data::SvgDrawing& drawing) {
   return Affine2{turn.x, turn.y, -turn.y, turn.x, 0.0, 0.0} * about_anchor;
 }
 
-/// One path of one contour or more. A sink that records never stops.
-void add_path(PathSink& sink, const PathHead& head, std::span<const Subpath> contours) {
-  static_cast<void>(sink.begin(head));
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    if (i > 0) static_cast<void>(sink.contour());
-    static_cast<void>(sink.points(contours[i].points));
-  }
-  static_cast<void>(sink.end());
-}
+constexpr std::array paints{Paint::stroke, Paint::fill_nonzero, Paint::fill_evenodd};  // as SvgPath::Paint
 
-void add_shape(const data::SvgShape& shape, PathSink& sink) {
-  if (shape.fill) {
-    std::vector<Subpath> areas;
-    std::copy_if(shape.subpaths.begin(), shape.subpaths.end(), std::back_inserter(areas),
-                 [](const Subpath& subpath) { return subpath.points.size() > 2; });
-    const Paint rule = shape.fill->evenodd ? Paint::fill_evenodd : Paint::fill_nonzero;
-    if (!areas.empty()) add_path(sink, {.paint = rule, .closed = true}, areas);
-  }
-  if (!shape.stroke) return;
-  for (const Subpath& line : shape.subpaths) {
-    add_path(sink, {.closed = line.closed && line.points.size() > 1}, {&line, 1});
+/// A sink that records or measures never stops.
+void draw(const std::vector<data::SvgPath>& paths, PathSink& sink) {
+  for (const data::SvgPath& path : paths) {
+    const PathHead head{.paint = paints[static_cast<std::size_t>(path.paint)], .closed = path.closed};
+    static_cast<void>(draw_path(sink, head, path.contours));
   }
 }
 
@@ -62,13 +49,14 @@ std::optional<Primitive> primitive_of(const data::SvgDrawing& drawing, std::stri
   const Affine2 upright = upright_from_px(drawing);
   BoundsSink bounds;
   Mapped measured(bounds, upright);
-  for (const data::SvgShape& shape : drawing.shapes) add_shape(shape, measured);
+  const std::vector<data::SvgPath> paths = data::svg_paths(drawing, data::SvgParts::all);
+  draw(paths, measured);
   if (bounds.box().empty()) return std::nullopt;
   const double side = std::max(bounds.box().width(), bounds.box().height());
   const double unit = side > 0.0 ? 1.0 / side : 1.0;
   Recorder recorder;
   Mapped mapped(recorder, scaling(unit, unit) * upright);
-  for (const data::SvgShape& shape : drawing.shapes) add_shape(shape, mapped);
+  draw(paths, mapped);
   const data::SvgAbout& about = drawing.about;
   return Primitive{name,          about.title.empty() ? name : about.title,       about.subject, about.creator,
                    about.licence, std::make_shared<const Figure>(recorder.take())};

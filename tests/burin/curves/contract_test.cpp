@@ -89,6 +89,16 @@ std::vector<std::string> cases_of(std::string_view family) {
   }
   if (family == "line-art") return line_art_cases();
   if (family == "line-art-boundary") return line_art_boundary_cases();
+  if (family == "svg") return {R"({"file": "drawing.svg"})", R"({"file": "drawing.svg", "parts": "outlines"})"};
+  if (family == "shape") {
+    return {R"({})",
+            R"({"kind": "ring", "r": 30, "inner": 0.9})",
+            R"({"kind": "polygon", "n": 3, "turn": 3600})",
+            R"({"kind": "star", "n": 10000, "inner": 1e-9})",
+            R"({"kind": "rectangle", "width": 1e-6, "corner": 5})",
+            R"({"kind": "rectangle", "height": 4, "corner": 0.25})",
+            R"({"kind": "path", "d": "M1 2zl3 4M0 0h1v1zm5 5q1 1 2 0"})"};
+  }
   EXPECT_EQ(family, "two-point") << "a new family needs its cases here";
   return {
       R"({})",
@@ -102,6 +112,13 @@ std::vector<std::string> cases_of(std::string_view family) {
       R"({"levels": 4, "motif": "hilbert"})",
       R"({"levels": 0, "motif": "peano"})",
       R"({"levels": 3, "base": "square", "motif": {"name": "koch", "join": [0.5, 3], "sign": "edge"}})"};
+}
+
+/// What a family reads from files.
+Result<std::string> drawing_file(std::string_view) {
+  return std::string(
+      "<svg viewBox='0 0 40 30'><path d='M1 2C3 4 5 6 7 1z' stroke='red'/><path d='M5 5h9' stroke='red'/>"
+      "<path d='M1 20h9v9M20 20v5' stroke='red' fill='none' stroke-dasharray='2 1'/></svg>");
 }
 
 /// Stops the drawing after so many calls.
@@ -124,7 +141,7 @@ TEST(FamilyContract, EveryFamilyKeepsItForEveryCase) {
     EXPECT_FALSE(family.fields().empty());
     for (const std::string& text : cases_of(family.name)) {
       SCOPED_TRACE(std::string(family.name) + ' ' + text);
-      const testing::ReadParams read = testing::read_params(family.name, text);
+      const testing::ReadParams read = testing::read_params(family.name, text, drawing_file);
       ASSERT_TRUE(read.params.has_value()) << problems_text(read.problems);
       for (const std::uint64_t seed : {0ULL, 1ULL, 0xFFFFFFFFFFFFFFFFULL}) {
         const DrawContext context{.seed = seed};

@@ -118,7 +118,7 @@ TEST(Layer, NeedsACurve) {
     return complaints("burin = 1\ndefine.bud = { points = [[0, 0], [1, 0]] }\ndefine.n = 3\n[[layer]]\n" +
                       std::string(curve) + "\n");
   };
-  EXPECT_EQ(complaint(""), "p.toml:4:1: error: layer 'layer' draws nothing; give it a 'curve' or a 'text'\n");
+  EXPECT_EQ(complaint(""), "p.toml:4:1: error: layer 'layer' draws nothing; give it a 'curve', 'text', 'svg' or 'shape'\n");
   EXPECT_EQ(complaint("curve = 3"),
             "p.toml:5:9: error: expected the name of a define or a table with 'family', found a whole number\n");
   EXPECT_EQ(complaint("curve = { levels = 3 }"),

@@ -38,9 +38,18 @@ bool has_entity(std::string_view value) {
   return at != std::string_view::npos && value.find(';', at) != std::string_view::npos;
 }
 
-std::optional<std::string_view> label_of(const XmlElement& element) {
-  const std::optional<std::string_view> label = element.attribute("inkscape:label");
-  return label ? label : element.attribute("id");
+bool is_anchor(const XmlElement& element) {
+  return element.attribute("inkscape:label") == "anchor" || element.attribute("id") == "anchor";
+}
+
+/// The attribute that holds an entity, of those that are looked at; empty: none does.
+std::string_view attribute_with_entity(const XmlElement& element) {
+  static constexpr std::array<std::string_view, 14> names{
+      "d", "points", "style", "transform", "fill", "stroke", "x", "y", "width", "height", "r", "cx", "cy", "class"};
+  const auto found = std::find_if(names.begin(), names.end(), [&](std::string_view name) {
+    return has_entity(element.attribute(name).value_or(""));
+  });
+  return found == names.end() ? std::string_view() : *found;
 }
 
 Affine2 moved(const Affine2& map, double x, double y) {
@@ -126,9 +135,13 @@ void Walker::visit(const XmlElement& element, const Context& parent) {
   if (parent.depth >= max_depth) {
     return fail(element, "more than 200 groups stand one in another; ungroup them", Trouble::limit);
   }
+  if (const std::string_view name = attribute_with_entity(element); !name.empty()) {
+    return report(element, "its '" + std::string(name) +
+                               "' holds an entity (&...;), which is not looked up; save the file as plain SVG");
+  }
   Context context;
   if (!enter(element, parent.style, parent, context)) return;
-  if (!drawing_.anchor && label_of(element) == "anchor") return note_anchor(element, context);
+  if (!drawing_.anchor && is_anchor(element)) return note_anchor(element, context);
   const std::size_t first_shape = drawing_.shapes.size();
   visit_content(element, context);
   if (!context.hidden && !failure_) check_effects(element, context, first_shape);
@@ -246,15 +259,6 @@ XmlElement Walker::with_id(std::string_view id) {
 }
 
 std::vector<Subpath> Walker::outline_px(const XmlElement& element, const Context& context) {
-  for (const char* name : {"d", "points", "x", "y", "width", "height", "r", "cx", "cy"}) {
-    const std::optional<std::string_view> value = element.attribute(name);
-    if (value && has_entity(*value)) {
-      report(element, "its '" + std::string(name) +
-                          "' holds an entity (&...;), which is not looked up; save the file "
-                          "as plain SVG");
-      return {};
-    }
-  }
   const double stretch = largest_stretch(context.px_from_user);
   const double tolerance = stretch > 0.0 ? tolerance_px_ / stretch : tolerance_px_;
   Result<std::vector<Subpath>> outline = shape_outline(element, context.viewport, tolerance);
