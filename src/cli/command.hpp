@@ -36,6 +36,7 @@ Command show_command();
 Command check_command();
 Command new_command();
 Command gallery_command();
+Command primitives_command();
 Command measure_command();
 Command golden_command();
 Command diff_command();

@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <burin/primitives/library.hpp>
 #include <cli/file_io.hpp>
+#include <cli/personal_folder.hpp>
 
 namespace burin::cli {
 
@@ -80,9 +82,20 @@ Result<std::string> read_stdin(std::size_t limit_bytes) {
   return read_all(STDIN_FILENO, "-", limit_bytes);
 }
 
+namespace {
+
+/// Where the file lies that a preset of this folder calls `name`.
+std::string path_of(const std::string& folder, std::string_view name) {
+  constexpr std::string_view own = primitives::personal_prefix;
+  if (name.substr(0, own.size()) != own) return (std::filesystem::path(folder) / name).string();
+  return (std::filesystem::path(personal_folder("primitives").value_or("")) / name.substr(own.size())).string();
+}
+
+}  // namespace
+
 ReadFile data_reader(std::string folder) {
   return [folder = std::move(folder)](std::string_view name) -> Result<std::string> {
-    const std::string path = (std::filesystem::path(folder) / name).string();
+    const std::string path = path_of(folder, name);
     struct stat status {};
     if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
       return Problem{{path}, "is no regular file; data is read from regular files only"};

@@ -44,7 +44,8 @@ Result<std::string> read_file(const std::string& path, const std::string& shown,
 /// All of stdin.
 Result<std::string> read_stdin(std::size_t limit_bytes);
 
-/// Reads the data files of a preset: names are relative to its folder (empty: the current one). Regular files only.
+/// Reads the data files of a preset: names are relative to its folder (empty: the current one), or to the
+/// folder of the user's own figures when they begin with primitives::personal_prefix. Regular files only.
 ReadFile data_reader(std::string folder);
 
 }  // namespace burin::cli

@@ -11,6 +11,7 @@
 #include <burin/path/colour.hpp>
 #include <burin/preset/load.hpp>
 #include <cli/command.hpp>
+#include <cli/figure_library.hpp>
 #include <cli/file_io.hpp>
 #include <cli/formats.hpp>
 #include <cli/help.hpp>
@@ -23,6 +24,7 @@ namespace {
 constexpr std::array examples{
     Example{"burin list", "the shipped presets, with titles"},
     Example{"burin list motifs", "motifs by name, with their dimensions"},
+    Example{"burin list primitives", "the figures that can be placed, with their families"},
     Example{"burin list formats", "what burin can write"},
 };
 
@@ -88,14 +90,28 @@ std::string list_colours() {
   return table_text(rows);
 }
 
+/// Name, family and title; the user's own are marked.
+std::string list_primitives() {
+  Rows rows;
+  for (const LibraryFigure& figure : library_figures()) {
+    const Result<primitives::Primitive> read = read_figure(figure.name);
+    std::string text = figure.is_own ? "yours: " : "";
+    text += !read                  ? "has problems"
+            : read->family.empty() ? read->title
+                                   : fmt::format("{}: {}", read->family, read->title);
+    rows.emplace_back(figure.name, text);
+  }
+  return table_text(rows);
+}
+
 struct Topic {
   std::string_view name;
   std::string (*text)();
 };
 
 constexpr std::array topics{Topic{"presets", &list_presets}, Topic{"families", &list_families},
-                            Topic{"motifs", &list_motifs}, Topic{"formats", &list_formats},
-                            Topic{"colors", &list_colours}};
+                            Topic{"motifs", &list_motifs},   Topic{"primitives", &list_primitives},
+                            Topic{"formats", &list_formats}, Topic{"colors", &list_colours}};
 
 ExitCode run(const Arguments& arguments, const Console& console) {
   const std::vector<std::string>& words = arguments.words();
@@ -117,10 +133,10 @@ ExitCode run(const Arguments& arguments, const Console& console) {
 
 Command list_command() {
   return {"list",
-          "list presets, families, motifs, formats or colors",
-          "[presets|families|motifs|formats|colors]",
+          "list presets, families, motifs, primitives, formats or colors",
+          "[presets|families|motifs|primitives|formats|colors]",
           "Presets are looked up in the folders of $BURIN_PATH, in $XDG_DATA_HOME/burin/presets, and among those that "
-          "came with burin.",
+          "came with burin; primitives, which are figures to be placed, in $XDG_DATA_HOME/burin/primitives.",
           {},
           examples,
           &run};

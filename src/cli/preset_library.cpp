@@ -10,6 +10,7 @@
 
 #include <burin/base/suggest.hpp>
 #include <cli/file_io.hpp>
+#include <cli/personal_folder.hpp>
 #include <cli/preset_library.hpp>
 
 namespace burin::cli {
@@ -33,12 +34,6 @@ std::vector<std::string> split(std::string_view list, char separator) {
     list.remove_prefix(std::min(end + 1, list.size()));
   }
   return parts;
-}
-
-std::optional<std::string> personal_folder() {
-  if (const std::string data = environment("XDG_DATA_HOME"); !data.empty()) return data + "/burin/presets";
-  if (const std::string home = environment("HOME"); !home.empty()) return home + "/.local/share/burin/presets";
-  return std::nullopt;
 }
 
 /// The build tree is laid out as an installation is, so this finds the shipped presets in both.
@@ -124,7 +119,7 @@ bool is_library_preset(std::string_view name) {
 
 std::vector<std::string> library_folders() {
   std::vector<std::string> folders = split(environment("BURIN_PATH"), ':');
-  if (std::optional<std::string> folder = personal_folder()) folders.push_back(std::move(*folder));
+  if (std::optional<std::string> folder = personal_folder("presets")) folders.push_back(std::move(*folder));
   if (std::optional<std::string> folder = shipped_folder()) folders.push_back(std::move(*folder));
   return folders;
 }

@@ -15,6 +15,8 @@
 #include <burin/preset/family_parameters.hpp>
 #include <burin/preset/load.hpp>
 #include <cli/command.hpp>
+#include <cli/figure_library.hpp>
+#include <cli/figure_text.hpp>
 #include <cli/file_io.hpp>
 #include <cli/help.hpp>
 #include <cli/motif_file.hpp>
@@ -30,7 +32,8 @@ constexpr std::array option_rows{
     OptionRow{"text", 0, "", "print the preset itself"},
     OptionRow{"parameter", 'D', "NAME=VALUE", "what is known of the curve of a family with this parameter", true},
     OptionRow{"motif", 0, "", "the motif of this name; with -o, the preset's motifs"},
-    OptionRow{"output", 'o', "FILE", "draw the motifs: .svg, .pdf, .png, or - for stdout"}};
+    OptionRow{"primitive", 0, "", "the figure of this name, or of an SVG file"},
+    OptionRow{"output", 'o', "FILE", "draw the motifs or the figure: .svg, .pdf, .png, or - for stdout"}};
 
 constexpr std::array examples{
     Example{"burin show koch", "the knobs of a preset, with ranges and defaults"},
@@ -39,6 +42,8 @@ constexpr std::array examples{
     Example{"burin show four-parameter -D lambda=1/8 -D mu=1/8 -D omega=0", "how smooth a scheme's curves are"},
     Example{"burin show gosper", "source, dimension, marks and flags of a motif"},
     Example{"burin show dragon --motif -o motif.svg", "the motif of a preset, large, with its directions"},
+    Example{"burin show leaf", "family, size and licence of a figure"},
+    Example{"burin show leaf -o leaf.svg", "a figure, large, with its anchor"},
     Example{"burin show layer", "the keys of a [[layer]] in a preset"},
 };
 
@@ -148,10 +153,11 @@ ExitCode unknown_name(const std::string& name, const std::vector<preset::FormatT
   for (const curves::Family& family : curves::catalogue()) names.emplace_back(family.name);
   for (const preset::FormatTable& table : tables) names.emplace_back(table.name);
   for (const two_point::NamedMotif& motif : two_point::named_motifs()) names.emplace_back(motif.name);
+  for (const LibraryFigure& figure : library_figures()) names.push_back(figure.name);
   const std::vector<std::string_view> known(names.begin(), names.end());
-  return console.fail(
-      {Problem{{"burin show"},
-               fmt::format("no preset, family, motif or table is called '{}'{}", name, suggestion(name, known))}});
+  return console.fail({Problem{
+      {"burin show"},
+      fmt::format("no preset, family, motif, figure or table is called '{}'{}", name, suggestion(name, known))}});
 }
 
 /// --motif and --output.
@@ -164,25 +170,21 @@ ExitCode show_motif(const std::string& name, const Arguments& arguments, const C
   return console.fail_usage({Problem{{"burin show --motif"}, advice}}, "burin show");
 }
 
-ExitCode run(const Arguments& arguments, const Console& console) {
-  if (arguments.words().size() != 1) {
-    return console.fail_usage({Problem{{"burin show"}, "name one preset, family, motif or table of the preset format"}},
-                              "burin show");
+/// --primitive and --output.
+ExitCode show_figure(const std::string& name, const Arguments& arguments, const Console& console) {
+  const Result<primitives::Primitive> figure = read_figure(name);
+  if (!figure) return console.fail(figure.problems());
+  if (const std::optional<std::string> path = arguments.value("output")) {
+    return write_figure_file(*figure, *path, console);
   }
-  const std::string& name = arguments.words().front();
-  const bool only_text = arguments.has("text");
-  const std::vector<std::string> given = arguments.values("parameter");
-  if (!given.empty() && (only_text || arguments.has("motif") || curves::find_family(name) == nullptr)) {
-    const std::string advice = fmt::format("-D NAME=VALUE goes with a curve family; '{}' is none", name);
-    return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
-  }
-  if (arguments.has("motif") || arguments.has("output")) {
-    if (!only_text && arguments.has("motif")) return show_motif(name, arguments, console);
-    const std::string advice = only_text ? "--text and --motif do not go together" : "-o FILE needs --motif";
-    return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
-  }
-  if (only_text || is_preset_path(name) || is_library_preset(name)) return show_preset(name, only_text, console);
-  if (const curves::Family* family = curves::find_family(name)) return show_family(*family, given, console);
+  return console.print(figure_text(*figure));
+}
+
+/// What is shown when no option tells: the first kind of thing that has this name.
+ExitCode show_whatever(const std::string& name, const Arguments& arguments, const Console& console) {
+  if (is_preset_path(name) || is_library_preset(name)) return show_preset(name, false, console);
+  if (const curves::Family* family = curves::find_family(name))
+    return show_family(*family, arguments.values("parameter"), console);
   const std::vector<preset::FormatTable> tables = preset::format_tables();
   const auto table =
       std::find_if(tables.begin(), tables.end(), [&](const preset::FormatTable& t) { return t.name == name; });
@@ -190,7 +192,34 @@ ExitCode run(const Arguments& arguments, const Console& console) {
     return console.print(fmt::format("{}: {}\n\n", table->name, table->summary) + fields_text(table->fields));
   }
   if (const two_point::NamedMotif* row = two_point::find_motif(name)) return console.print(motif_text(*row));
+  if (is_library_figure(name)) return show_figure(name, arguments, console);
   return unknown_name(name, tables, console);
+}
+
+ExitCode run(const Arguments& arguments, const Console& console) {
+  if (arguments.words().size() != 1) {
+    const std::string advice = "name one preset, family, motif, figure or table of the preset format";
+    return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
+  }
+  const std::string& name = arguments.words().front();
+  const bool only_text = arguments.has("text");
+  const bool motif = arguments.has("motif");
+  const bool figure = arguments.has("primitive");
+  if (arguments.has("parameter") && (only_text || motif || figure || curves::find_family(name) == nullptr)) {
+    const std::string advice = fmt::format("-D NAME=VALUE goes with a curve family; '{}' is none", name);
+    return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");
+  }
+  if (int{only_text} + int{motif} + int{figure} > 1) {
+    return console.fail_usage({Problem{{"burin show"}, "--text, --motif and --primitive do not go together"}},
+                              "burin show");
+  }
+  if (motif) return show_motif(name, arguments, console);
+  if (figure) return show_figure(name, arguments, console);
+  if (arguments.has("output")) {
+    if (is_library_figure(name)) return show_figure(name, arguments, console);
+    return console.fail_usage({Problem{{"burin show"}, "-o FILE needs --motif or the name of a figure"}}, "burin show");
+  }
+  return only_text ? show_preset(name, true, console) : show_whatever(name, arguments, console);
 }
 
 }  // namespace
@@ -198,10 +227,11 @@ ExitCode run(const Arguments& arguments, const Console& console) {
 Command show_command() {
   return {
       "show",
-      "show a preset, a curve family, a motif, or a table's keys",
-      "NAME [--text | -D NAME=VALUE... | --motif [-o FILE]]",
-      "NAME is a preset (a name or a file), a curve family ('burin list families'), a motif ('burin list motifs') "
-      "or a table of the preset format: about, page, knob, pen, slot, layer.\n\n"
+      "show a preset, a curve family, a motif, a figure, or a table's keys",
+      "NAME [--text | -D NAME=VALUE... | --motif [-o FILE] | --primitive [-o FILE]]",
+      "NAME is a preset (a name or a file), a curve family ('burin list families'), a motif ('burin list motifs'), "
+      "a figure ('burin list primitives') or a table of the preset format: about, page, knob, pen, slot, layer. Where "
+      "several have the name it is the first of these.\n\n"
       "Of a subdivision scheme (de-rham, four-point, four-parameter) it says how smooth the limit is: by the theorems "
       "of the paper, and proven and excluded by norms and spectral radii; -D gives the scheme its parameters.\n\n"
       "In a drawn motif the unit edge is dashed. A half arrow on an edge points the way in which it is built; its "

@@ -47,7 +47,7 @@ TEST(Motif, MistakesAreNamed) {
   } cases[] = {
       {{"show", "koch", "--motif", "-o", "m.csv"}, 2, "csv holds a curve's own points"},
       {{"show", "koch", "--motif", "-o", "m.doc"}, 2, "doc"},
-      {{"show", "koch", "-o", "m.svg"}, 2, "-o FILE needs --motif"},
+      {{"show", "koch", "-o", "m.svg"}, 2, "-o FILE needs --motif or the name of a figure"},
       {{"show", "koch", "--text", "--motif"}, 2, "do not go together"},
       {{"show", "winter-card", "--motif"}, 2, "add -o FILE.svg"},
       {{"show", "kohc", "--motif", "-o", "m.svg"}, 3, "did you mean 'koch'?"},
