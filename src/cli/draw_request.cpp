@@ -14,6 +14,7 @@
 #include <cli/draw_request.hpp>
 #include <cli/formats.hpp>
 #include <cli/output_target.hpp>
+#include <cli/pen_sets.hpp>
 
 namespace burin::cli {
 
@@ -24,6 +25,7 @@ constexpr std::array option_rows{
               "write here, in the format of the suffix; - is stdout; {seed} and the like are filled in", true},
     OptionRow{"knob", 'D', "NAME=VALUE", "turn a knob of the preset; 'burin show PRESET' lists them", true},
     OptionRow{"set", 0, "KEY=VALUE", "set any key: page.paper=oat, layer.NAME.opacity=0.5", true},
+    OptionRow{"pens", 0, "NAME", "draw with the pens of this set in ~/.config/burin/pens.toml, by their names", true},
     OptionRow{"seed", 0, "SEEDS", "seed of everything random: 7, random; or several: 0..49, 7,19,33, random*5"},
     OptionRow{"sweep", 0, "KNOB=VALUES", "a result for each value: levels=1..5, turn=0.1..0.9:9, motif=koch,levy",
               true},
@@ -38,6 +40,8 @@ constexpr std::array option_rows{
     OptionRow{"size", 0, "Npx", "PNG: dots along the longer side, instead of --dpi"},
     OptionRow{"decimals", 0, "N", "SVG and native PDF: places after the point of a mm, 0 to 6 (3)"},
     OptionRow{"paper", 0, "", "SVG, PDF: draw the paper's colour too, as PNG always does"},
+    OptionRow{"defs", 0, "",
+              "native SVG: write each figure once and <use> it, for drawing programs rather than plotters"},
     OptionRow{"only", 0, "LAYER", "draw this layer only", true},
     OptionRow{"skip", 0, "LAYER", "leave this layer out", true},
     OptionRow{"all-points", 0, "", "draw points that the output is too coarse to show, too"},
@@ -130,6 +134,17 @@ class Reader {
       }
     }
     return all;
+  }
+
+  void read_pens(DrawRequest& request) {
+    for (const std::string& word : arguments_.values("pens")) {
+      const Result<PenKeys> keys = read_pens_option(word);
+      if (keys) {
+        request.overrides.pens.insert(request.overrides.pens.end(), keys->begin(), keys->end());
+      } else {
+        problems_.insert(problems_.end(), keys.problems().begin(), keys.problems().end());
+      }
+    }
   }
 
   void read_series(DrawRequest& request) {
@@ -239,6 +254,7 @@ Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::str
   reader.read_preset_word(request);
   request.overrides.knobs = reader.pairs("knob", "-D");
   request.overrides.keys = reader.pairs("set", "--set");
+  reader.read_pens(request);
   reader.read_series(request);
   request.overrides.page_size = arguments.value("page");
   request.overrides.landscape = arguments.has("landscape");
@@ -253,6 +269,7 @@ Result<DrawRequest> read_draw_request(const Arguments& arguments, const std::str
   reader.read_size(request);
   reader.read_view(request);
   request.paper = arguments.has("paper");
+  request.defs = arguments.has("defs");
   request.all_points = arguments.has("all-points");
   request.only = arguments.values("only");
   request.skip = arguments.values("skip");
@@ -266,6 +283,7 @@ OutputOptions output_options(const DrawRequest& request, const Page& page) {
   OutputOptions options;
   options.decimals = request.decimals;
   options.paper = request.paper;
+  options.defs = request.defs;
   options.dots_per_mm = request.longer_side_px ? *request.longer_side_px / std::max(page.width_mm, page.height_mm)
                                                : request.dots_per_inch / mm_per_inch;
   return options;

@@ -36,6 +36,7 @@ struct DrawRequest {
   std::optional<preset::PageWindow> view;
   std::string view_text;  ///< as it was written
   bool paper = false;
+  bool defs = false;
   bool all_points = false;
   double max_points = default_max_points;
   double max_memory_mb = default_max_memory_bytes / 1e6;

@@ -82,11 +82,9 @@ Result<std::string> format_of_suffix(const std::string& path) {
 }
 
 const std::vector<FormatOption>& format_options() {
-  static const std::vector<FormatOption> rows{{"dpi", {"png"}},
-                                              {"size", {"png"}},
-                                              {"decimals", {"svg", "pdf"}, "native"},
-                                              {"paper", {"svg", "pdf"}},
-                                              {"view", {"svg", "pdf", "png", "dump"}}};
+  static const std::vector<FormatOption> rows{
+      {"dpi", {"png"}},          {"size", {"png"}},           {"decimals", {"svg", "pdf"}, "native"},
+      {"paper", {"svg", "pdf"}}, {"defs", {"svg"}, "native"}, {"view", {"svg", "pdf", "png", "dump"}}};
   return rows;
 }
 

@@ -10,6 +10,7 @@
 #include <burin/curves/two_point/named_motifs.hpp>
 #include <burin/path/colour.hpp>
 #include <burin/preset/load.hpp>
+#include <burin/preset/palettes.hpp>
 #include <cli/command.hpp>
 #include <cli/figure_library.hpp>
 #include <cli/file_io.hpp>
@@ -104,14 +105,26 @@ std::string list_primitives() {
   return table_text(rows);
 }
 
+/// Name, colours and summary.
+std::string list_palettes() {
+  Rows rows;
+  for (const preset::Palette& row : preset::palettes()) {
+    rows.emplace_back(
+        row.name, fmt::format("paper {}, ink {}, accent {}, soft {}: {}", colour_text(row.paper), colour_text(row.ink),
+                              colour_text(row.accent), colour_text(row.soft), row.summary));
+  }
+  return table_text(rows);
+}
+
 struct Topic {
   std::string_view name;
   std::string (*text)();
 };
 
-constexpr std::array topics{Topic{"presets", &list_presets}, Topic{"families", &list_families},
-                            Topic{"motifs", &list_motifs},   Topic{"primitives", &list_primitives},
-                            Topic{"formats", &list_formats}, Topic{"colors", &list_colours}};
+constexpr std::array topics{Topic{"presets", &list_presets},  Topic{"families", &list_families},
+                            Topic{"motifs", &list_motifs},    Topic{"primitives", &list_primitives},
+                            Topic{"formats", &list_formats},  Topic{"colors", &list_colours},
+                            Topic{"palettes", &list_palettes}};
 
 ExitCode run(const Arguments& arguments, const Console& console) {
   const std::vector<std::string>& words = arguments.words();
@@ -133,8 +146,8 @@ ExitCode run(const Arguments& arguments, const Console& console) {
 
 Command list_command() {
   return {"list",
-          "list presets, families, motifs, primitives, formats or colors",
-          "[presets|families|motifs|primitives|formats|colors]",
+          "list presets, families, motifs, primitives, formats, colors or palettes",
+          "[presets|families|motifs|primitives|formats|colors|palettes]",
           "Presets are looked up in the folders of $BURIN_PATH, in $XDG_DATA_HOME/burin/presets, and among those that "
           "came with burin; primitives, which are figures to be placed, in $XDG_DATA_HOME/burin/primitives.",
           {},

@@ -41,6 +41,7 @@ std::string format_flags(const DrawRequest& request, const BackEnd& back_end) {
   if (uses_option(back_end, "decimals")) text += fmt::format("decimals = \"{}\"\n", request.decimals);
   if (request.view && uses_option(back_end, "view")) text += fmt::format("view = {}\n", toml_string(request.view_text));
   if (request.paper && uses_option(back_end, "paper")) text += "paper = true\n";
+  if (request.defs && uses_option(back_end, "defs")) text += "defs = true\n";
   if (request.all_points) text += "all-points = true\n";
   if (!request.only.empty()) text += fmt::format("only = {}\n", list_of(request.only));
   if (!request.skip.empty()) text += fmt::format("skip = {}\n", list_of(request.skip));
@@ -80,6 +81,7 @@ std::string origin_record(const DrawRequest& request, const BackEnd& back_end, c
       fmt::format("burin = \"{}\"\npreset = {}\nseed = \"{}\"\n", BURIN_VERSION, toml_string(preset.file), piece.seed);
   if (!overrides.knobs.empty()) text += fmt::format("knobs = {}\n", list_of_pairs(overrides.knobs));
   if (!overrides.keys.empty()) text += fmt::format("set = {}\n", list_of_pairs(overrides.keys));
+  if (!overrides.pens.empty()) text += fmt::format("pens = {}\n", list_of_pairs(overrides.pens));
   if (overrides.page_size) text += fmt::format("page = {}\n", toml_string(*overrides.page_size));
   if (overrides.landscape) text += "landscape = true\n";
   if (overrides.margin) text += fmt::format("margin = {}\n", toml_string(*overrides.margin));

@@ -91,7 +91,7 @@ class RunningTool {
       if (chdir(setup.folder.c_str()) != 0) _exit(126);
       setenv("HOME", setup.folder.c_str(), 1);
     }
-    for (const char* name : {"XDG_DATA_HOME", "BURIN_PATH", "NO_COLOR"}) unsetenv(name);
+    for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "BURIN_PATH", "NO_COLOR"}) unsetenv(name);
     for (const auto& [name, value] : setup.environment) setenv(name.c_str(), value.c_str(), 1);
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));

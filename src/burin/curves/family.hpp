@@ -1,6 +1,7 @@
 #pragma once
 
 #include <any>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +42,9 @@ struct Family {
   /// What is known of the limit for these parameters, line by line, for "burin show"; null: nothing.
   std::string (*theory)(const std::any& parameters);
 
+  /// Which points of each path the level before had already: those whose index, from 0, is a multiple of this. 0: none.
+  std::uint64_t (*retained_every)(const std::any& parameters);
+
   /// The parameter to lower when a curve has too many points, for messages: "levels".
   std::string_view cost_knob;
 };
@@ -53,7 +57,7 @@ const Family* find_family(std::string_view name);
 
 /// A row for the catalogue from a struct F that holds a family's functions: `using Params`, and static check
 /// (cross-field rules; false after reporting), bounds, forecast, draw and uses_seed, all for Params instead of
-/// std::any; and theory, if there is one.
+/// std::any; theory, if there is one, and retained_every, where a level keeps the points of the one before.
 template <class F>
 Family make_family(std::string_view name, std::string_view summary, std::string_view source,
                    std::string_view cost_knob) {
@@ -83,6 +87,13 @@ Family make_family(std::string_view name, std::string_view summary, std::string_
                  PathSink& sink) { return F::draw(*std::any_cast<P>(&p), context, sink); },
       .uses_seed = [](const std::any& p) { return F::uses_seed(*std::any_cast<P>(&p)); },
       .theory = theory,
+      .retained_every = [](const std::any& p) -> std::uint64_t {
+        if constexpr (requires(const P& params) { F::retained_every(params); }) {
+          return F::retained_every(*std::any_cast<P>(&p));
+        } else {
+          return 0;
+        }
+      },
       .cost_knob = cost_knob,
   };
 }

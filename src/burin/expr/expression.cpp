@@ -87,6 +87,10 @@ class Parser final : public mu::ParserBase {
   }
 };
 
+double call_plane_function(void* function, double x, double y) {
+  return (*static_cast<const PlaneFunction*>(function)->value)(x, y);
+}
+
 bool is_name(std::string_view text) {
   return !text.empty() && !(text.front() >= '0' && text.front() <= '9') && std::ranges::all_of(text, [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -100,11 +104,19 @@ struct Expression::Machine {
   std::string text;
   Scan scanned;
   std::vector<std::string> names;
+  std::vector<PlaneFunction> functions;
   std::vector<double> values;
   Parser parser;
 
-  Machine(std::string_view source, Scan checked, std::vector<std::string> variables)
-      : text(source), scanned(std::move(checked)), names(std::move(variables)), values(names.size()) {
+  Machine(std::string_view source, Scan checked, std::vector<std::string> variables, std::vector<PlaneFunction> own)
+      : text(source),
+        scanned(std::move(checked)),
+        names(std::move(variables)),
+        functions(std::move(own)),
+        values(names.size()) {
+    for (PlaneFunction& function : functions) {
+      parser.DefineFunUserData(function.name, call_plane_function, &function, false);
+    }
     for (std::size_t i = 0; i < names.size(); ++i) parser.DefineVar(names[i], &values[i]);
     for (const Constant& constant : constants()) {
       const std::string name(constant.name);
@@ -118,22 +130,26 @@ struct Expression::Machine {
 };
 
 Result<Expression> Expression::compile(std::string_view text, std::span<const std::string_view> variables,
-                                       const Where& where) {
+                                       const Where& where, std::span<const PlaneFunction> functions) {
   BURIN_EXPECT(std::ranges::all_of(variables, is_name));
-  Result<Scan> scanned = scan(text, variables, where);
+  Result<Scan> scanned = scan(text, variables, where, functions);
   if (!scanned) return scanned.problems();
   try {
     return Expression(std::make_unique<Machine>(text, *std::move(scanned),
-                                                std::vector<std::string>(variables.begin(), variables.end())));
+                                                std::vector<std::string>(variables.begin(), variables.end()),
+                                                std::vector<PlaneFunction>(functions.begin(), functions.end())));
   } catch (const mu::ParserError& error) {
     return Problem{where, "'" + std::string(text) + "' is no expression: " + error.GetMsg()};
   }
 }
 
 Expression::Expression(std::unique_ptr<Machine> machine) : machine_(std::move(machine)) {}
-Expression::Expression() : machine_(std::make_unique<Machine>("0", Scan{"0", {}}, std::vector<std::string>{})) {}
+Expression::Expression()
+    : machine_(
+          std::make_unique<Machine>("0", Scan{"0", {}}, std::vector<std::string>{}, std::vector<PlaneFunction>{})) {}
 Expression::Expression(const Expression& other)
-    : machine_(std::make_unique<Machine>(other.machine_->text, other.machine_->scanned, other.machine_->names)) {}
+    : machine_(std::make_unique<Machine>(other.machine_->text, other.machine_->scanned, other.machine_->names,
+                                         other.machine_->functions)) {}
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(const Expression& other) {
   return *this = Expression(other);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <burin/base/plane_function.hpp>
 #include <burin/base/result.hpp>
 
 /// Arithmetic written in presets: Z = f(x, y), numbers such as "sqrt(3)/6".
@@ -35,8 +36,9 @@ class Expression {
  public:
   /// Compiles `text`, which may use `variables` (names of letters, digits and _, at most 100 characters). A problem
   /// says what is wrong, where (column inside the text, added to `where`), with a "did you mean" for unknown names.
+  /// `functions` may be called too; they hide built-in ones of the same name.
   static Result<Expression> compile(std::string_view text, std::span<const std::string_view> variables,
-                                    const Where& where);
+                                    const Where& where, std::span<const PlaneFunction> functions = {});
 
   /// The constant 0.
   Expression();

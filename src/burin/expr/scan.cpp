@@ -58,9 +58,11 @@ struct Level {
 
 class Scanner {
  public:
-  Scanner(std::string_view text, std::span<const std::string_view> variables, const Where& where)
+  Scanner(std::string_view text, std::span<const std::string_view> variables, const Where& where,
+          std::span<const PlaneFunction> functions)
       : text_(text), variables_(variables), where_(where) {
     result_.uses.resize(variables.size());
+    for (const PlaneFunction& own : functions) own_functions_.push_back({own.name, Binary{}});
   }
 
   Result<Scan> run() {
@@ -160,7 +162,7 @@ class Scanner {
     at_ += name.size();
     skip_blanks();
     if (next_is('(')) {
-      const Function* function = find_function(name);
+      const Function* function = function_called(name);
       if (function == nullptr) return refuse(name_at, unknown("function", name, function_names()));
       result_.formula += name;
       return open(function, name_at);
@@ -168,7 +170,7 @@ class Scanner {
     if (const auto found = std::find(variables_.begin(), variables_.end(), name); found != variables_.end()) {
       result_.uses[static_cast<std::size_t>(found - variables_.begin())] = true;
     } else if (!is_constant(name)) {
-      if (find_function(name) != nullptr) {
+      if (function_called(name) != nullptr) {
         return refuse(name_at, fmt::format("'{0}' is a function: write {0}(...)", name));
       }
       return refuse(name_at, unknown("name", name, value_names()));
@@ -180,8 +182,13 @@ class Scanner {
   static bool is_constant(std::string_view name) {
     return std::ranges::any_of(constants(), [name](const Constant& constant) { return constant.name == name; });
   }
-  static std::vector<std::string_view> function_names() {
+  const Function* function_called(std::string_view name) const {
+    const auto own = std::ranges::find(own_functions_, name, &Function::name);
+    return own != own_functions_.end() ? &*own : find_function(name);
+  }
+  std::vector<std::string_view> function_names() const {
     std::vector<std::string_view> names;
+    for (const Function& function : own_functions_) names.push_back(function.name);
     for (const Function& function : functions()) names.push_back(function.name);
     return names;
   }
@@ -307,6 +314,7 @@ class Scanner {
   std::string_view text_;
   std::span<const std::string_view> variables_;
   Where where_;
+  std::vector<Function> own_functions_;  ///< no more are added: addresses of these are kept
   std::size_t at_ = 0;
   bool value_expected_ = true;
   std::vector<Level> levels_{Level{}};  ///< the outermost first
@@ -316,8 +324,9 @@ class Scanner {
 
 }  // namespace
 
-Result<Scan> scan(std::string_view text, std::span<const std::string_view> variables, const Where& where) {
-  return Scanner(text, variables, where).run();
+Result<Scan> scan(std::string_view text, std::span<const std::string_view> variables, const Where& where,
+                  std::span<const PlaneFunction> functions) {
+  return Scanner(text, variables, where, functions).run();
 }
 
 }  // namespace burin::expr

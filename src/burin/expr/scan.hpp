@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <burin/base/plane_function.hpp>
 #include <burin/base/result.hpp>
 
 namespace burin::expr {
@@ -18,6 +19,7 @@ struct Scan {
 
 /// Checks `text` and reports the first thing that is wrong, with its column inside the text added to `where`. One pass,
 /// no recursion.
-Result<Scan> scan(std::string_view text, std::span<const std::string_view> variables, const Where& where);
+Result<Scan> scan(std::string_view text, std::span<const std::string_view> variables, const Where& where,
+                  std::span<const PlaneFunction> functions = {});
 
 }  // namespace burin::expr

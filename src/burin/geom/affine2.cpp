@@ -10,6 +10,12 @@ Affine2 rotation_degrees(double degrees) {
   return {c, s, -s, c, 0.0, 0.0};
 }
 
+bool is_similarity(const Affine2& m) {
+  const double slack = 1e-9 * m.scale();
+  const auto same = [&](double x, double y) { return std::abs(x - y) <= slack; };
+  return m.determinant() != 0.0 && ((same(m.a, m.d) && same(m.b, -m.c)) || (same(m.a, -m.d) && same(m.b, m.c)));
+}
+
 Affine2 inverse(const Affine2& m) {
   const double det = m.determinant();
   BURIN_EXPECT(det != 0.0);

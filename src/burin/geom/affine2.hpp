@@ -32,6 +32,8 @@ constexpr Affine2 scaling(double x, double y) {
 }
 /// Counter-clockwise (y up) about the origin; exact at multiples of 90 degrees.
 Affine2 rotation_degrees(double degrees);
+/// Whether m turns, mirrors, scales and moves, but bends nothing out of shape.
+bool is_similarity(const Affine2& m);
 /// Pre: m is invertible.
 Affine2 inverse(const Affine2& m);
 

@@ -82,9 +82,9 @@ std::string svg_head(const Sheet& sheet, const OutputOptions& options) {
   xml += fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
       " xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" xmlns:cc=\"http://creativecommons.org/ns#\""
-      " xmlns:dc=\"http://purl.org/dc/elements/1.1/\" xmlns:burin=\"urn:x-burin:origin\""
+      " xmlns:dc=\"http://purl.org/dc/elements/1.1/\" xmlns:burin=\"urn:x-burin:origin\"{2}"
       " width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-      width, height);
+      width, height, options.defs ? " xmlns:xlink=\"http://www.w3.org/1999/xlink\"" : "");
   const Origin& origin = sheet.made_by;
   if (!origin.title.empty()) xml += fmt::format("<title>{}</title>\n", xml_text(origin.title));
   if (!origin.summary.empty()) xml += fmt::format("<desc>{}</desc>\n", xml_text(origin.summary));

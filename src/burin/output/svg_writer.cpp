@@ -9,6 +9,7 @@
 #include <burin/output/byte_writer.hpp>
 #include <burin/output/path_data.hpp>
 #include <burin/output/svg_document.hpp>
+#include <burin/output/svg_uses.hpp>
 #include <burin/output/svg_writer.hpp>
 
 namespace burin::output {
@@ -30,6 +31,7 @@ class SvgSink final : public OutputSink {
  public:
   SvgSink(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options)
       : sheet_(sheet), out_(bytes), data_(options.decimals) {
+    if (options.defs) uses_.emplace(options.decimals);
     out_.add(svg_head(sheet, options));
   }
 
@@ -37,6 +39,7 @@ class SvgSink final : public OutputSink {
   Flow points(std::span<const Vec2> points) override;
   Flow contour() override;
   Flow end() override;
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
   Result<Done> finish() override;
   std::uint64_t skipped_points() const override { return skipped_points_; }
 
@@ -51,11 +54,13 @@ class SvgSink final : public OutputSink {
   void settle_piece();
   void end_contour();
   void end_element();
+  void rest_after(std::size_t bytes);
   void spill_text();
 
   const Sheet& sheet_;
   ByteWriter out_;
   PathData data_;
+  std::optional<SvgUses> uses_;
   std::optional<Problem> problem_;
   std::uint64_t skipped_points_ = 0;
   std::size_t layers_begun_ = 0;  ///< the last of them is open
@@ -219,13 +224,27 @@ void SvgSink::end_contour() {
 void SvgSink::end_element() {
   if (!in_element_) return;
   out_.add("\"/>\n");
-  bytes_since_rest_ += element_bytes_;
-  if (bytes_since_rest_ >= bytes_between_rests) {
-    out_.add(std::string(rest_blanks, ' ') + '\n');
-    bytes_since_rest_ = 0;
-  }
+  rest_after(element_bytes_);
   in_element_ = false;
   element_paint_ = Paint::stroke;
+}
+
+void SvgSink::rest_after(std::size_t bytes) {
+  bytes_since_rest_ += bytes;
+  if (bytes_since_rest_ < bytes_between_rests) return;
+  out_.add(std::string(rest_blanks, ' ') + '\n');
+  bytes_since_rest_ = 0;
+}
+
+Flow SvgSink::place(const PathHead& head, const Figure& figure, const Affine2& at) {
+  if (!uses_ || head.role == Role::mask) return PathSink::place(head, figure, at);
+  const std::string shown = uses_->show(figure, at, sheet_.layers[head.layer].paint);
+  if (shown.empty()) return PathSink::place(head, figure, at);
+  if (head.layer >= layers_begun_) go_to_layer(head.layer);
+  end_element();
+  out_.add(shown);
+  rest_after(shown.size());
+  return flow();
 }
 
 void SvgSink::go_to_layer(std::size_t layer) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <burin/base/bytes.hpp>
+#include <burin/base/plane_function.hpp>
 #include <burin/base/problem.hpp>
 #include <burin/base/result.hpp>
 #include <burin/params/value.hpp>
@@ -37,6 +38,9 @@ struct ReadContext {
 
   /// Reads a data file named in the preset and notes its digest.
   ReadFile read_file;
+
+  /// Functions that expressions over the place may call besides the built-in ones.
+  std::vector<PlaneFunction> functions{};
 
   /// What captions may quote.
   std::vector<Placeholder> placeholders{};

@@ -24,6 +24,7 @@ struct OutputOptions {
   int decimals = 3;                   ///< places after the point of an SVG coordinate in mm, 0..6
   double dots_per_mm = 300.0 / 25.4;  ///< PNG resolution
   bool paper = false;                 ///< SVG and PDF: draw the paper's colour too
+  bool defs = false;                  ///< SVG: write figures once and use them
 };
 
 /// A path sink that ends in a ByteSink.

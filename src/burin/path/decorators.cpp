@@ -112,4 +112,11 @@ Flow BoundsSink::points(std::span<const Vec2> points) {
   return Flow::go;
 }
 
+/// Most figures lie within what is known already.
+Flow BoundsSink::place(const PathHead& head, const Figure& figure, const Affine2& at) {
+  const Box2 around = image_box(at, figure.bounds());
+  const bool nothing_new = box_.contains(around.low) && box_.contains(around.high);
+  return nothing_new ? Flow::go : PathSink::place(head, figure, at);
+}
+
 }  // namespace burin

@@ -134,6 +134,7 @@ class BoundsSink final : public PathSink {
   Flow points(std::span<const Vec2> points) override;
   Flow contour() override { return Flow::go; }
   Flow end() override { return Flow::go; }
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
   const Box2& box() const { return box_; }
   bool finite() const { return finite_; }
 

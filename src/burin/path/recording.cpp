@@ -1,7 +1,27 @@
+#include <algorithm>
+#include <bit>
+#include <utility>
+
 #include <burin/path/decorators.hpp>
 #include <burin/path/recording.hpp>
 
 namespace burin {
+
+namespace {
+
+/// FNV-1a over 64-bit words: tells drawings apart, which are then compared.
+std::uint64_t hash_of(const Recording& drawing) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const Vec2 p : drawing.all_points()) {
+    for (const double coordinate : {p.x, p.y}) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x100000001b3U;
+      hash ^= hash >> 32U;
+    }
+  }
+  return hash;
+}
+
+}  // namespace
 
 std::span<const Recording::Contour> Recording::contours(const Path& path) const {
   return std::span(contours_).subspan(path.first_contour, path.contour_count);
@@ -15,6 +35,23 @@ Box2 Recording::bounds() const {
   Box2 box;
   for (const Vec2 p : points_) box.add(p);
   return box;
+}
+
+Figure::Figure(Recording drawing)
+    : drawing_(std::move(drawing)), bounds_(drawing_.bounds()), fingerprint_(hash_of(drawing_)) {}
+
+bool Figure::looks_like(const Figure& other) const {
+  if (this == &other) return true;
+  if (fingerprint_ != other.fingerprint_ || drawing_.all_points() != other.drawing_.all_points()) return false;
+  const auto same_contours = [&](const Recording::Path& p, const Recording::Path& q) {
+    return std::ranges::equal(drawing_.contours(p), other.drawing_.contours(q), [](const auto& c, const auto& d) {
+      return c.first_point == d.first_point && c.point_count == d.point_count;
+    });
+  };
+  return std::ranges::equal(
+      drawing_.paths(), other.drawing_.paths(), [&](const Recording::Path& p, const Recording::Path& q) {
+        return p.head.paint == q.head.paint && p.head.closed == q.head.closed && same_contours(p, q);
+      });
 }
 
 Flow Recorder::begin(const PathHead& head) {

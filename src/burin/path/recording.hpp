@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -40,11 +41,18 @@ class Recording {
 /// A small drawing in its own units that is put on the page many times.
 class Figure {
  public:
-  explicit Figure(Recording drawing) : drawing_(std::move(drawing)) {}
+  explicit Figure(Recording drawing);
   const Recording& drawing() const { return drawing_; }
+  const Box2& bounds() const { return bounds_; }
+  /// The same for all figures of the same points; by chance, one time in 2^64, for others too.
+  std::uint64_t fingerprint() const { return fingerprint_; }
+  /// Whether both draw the same: paths, contours and points, whatever the layers.
+  bool looks_like(const Figure& other) const;
 
  private:
   Recording drawing_;
+  Box2 bounds_;
+  std::uint64_t fingerprint_ = 0;
 };
 
 /// Stream to store. Memory grows with the drawing.

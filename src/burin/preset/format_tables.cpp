@@ -1,5 +1,6 @@
 #include <burin/curves/line_art/composition.hpp>
 #include <burin/curves/two_point/two_point.hpp>
+#include <burin/preset/images.hpp>
 #include <burin/preset/knobs.hpp>
 #include <burin/preset/load.hpp>
 #include <burin/preset/piece_values.hpp>
@@ -13,11 +14,15 @@ std::vector<FormatTable> format_tables() {
       {"page", "the paper and its margins", params::field_infos<PageSpec>()},
       {"knob", "what can be turned with -D; $name stands for its value", params::field_infos<KnobSpec>()},
       {"pen", "what draws; numbered in file order", params::field_infos<PenSpec>()},
+      {"image", "a picture; expressions over the place know its brightness as NAME(u, v), 0 black to 1 white",
+       params::field_infos<ImageSpec>()},
       {"slot", "a rectangle of the page with one fit for the layers in it", params::field_infos<SlotSpec>()},
       {"layer",
        "something drawn with a pen in a slot: a 'curve' (a define's name or a table with 'family'), a 'text' (what is "
        "written or a table with 'text'), an 'svg' (a file or a table with 'file') or a 'shape' (a kind or a table)",
        params::field_infos<LayerStyle>()},
+      {"primitives", "figures along a layer's curve, in place of its line",
+       params::field_infos<primitives::PlacingSpec>()},
       {"base", "what a curve refines, written as a table", curves::base_fields()},
       {"figure", "something to be placed, written as a table in [define]", primitives::figure_fields()},
       {"motif", "what replaces an edge, written as a table", curves::two_point::motif_fields()},

@@ -8,8 +8,11 @@
 
 #include <burin/base/suggest.hpp>
 #include <burin/curves/svg/svg.hpp>
+#include <burin/preset/layer_facts.hpp>
 #include <burin/preset/layers.hpp>
+#include <burin/preset/pen_gradient.hpp>
 #include <burin/preset/piece_values.hpp>
+#include <burin/primitives/library.hpp>
 
 namespace burin::preset {
 
@@ -63,8 +66,8 @@ std::vector<std::string_view> names_of(const std::vector<Named>& all) {
 
 class LayerReader {
  public:
-  LayerReader(const Piece& piece, const Table* defines, ReadContext& context)
-      : pens_(names_of(piece.pens)), slots_(names_of(piece.slots)), context_(context) {
+  LayerReader(const Piece& piece, const std::vector<NamedImage>& images, const Table* defines, ReadContext& context)
+      : piece_(piece), images_(images), pens_(names_of(piece.pens)), slots_(names_of(piece.slots)), context_(context) {
     if (defines == nullptr) return;
     for (const params::Entry& entry : defines->entries) {
       if (entry.value.table() != nullptr && entry.value.table()->find("family") != nullptr) {
@@ -81,13 +84,21 @@ class LayerReader {
       params::report_kind(value, "a table: [[layer]]", context_);
       return layer;
     }
+    // Images lie over the layer's own slot.
+    const std::string* slot = text_of(table, "slot");
+    const SlotFrame frame = slot_frame(piece_.page, slot_called(piece_, slot == nullptr ? "" : *slot));
+    context_.functions = image_functions(images_, frame);
     params::read_fields(*table, layer.style, "layer '" + name + "'", context_, source_keys());
     layer.style.name = name;
     check_style(*table, layer.style, value.where);
-    if (layer.style.pen.of.empty()) layer.style.pen.of = {std::string(pens_.front())};
     read_source(*table, layer, name);
+    settle_pens(layer);
+    if (const Value* placing = table->find("primitives")) settle_primitives(*placing, layer);
     return layer;
   }
+
+  /// The pens of gradients.
+  const std::vector<NamedPen>& made_pens() const { return made_pens_; }
 
  private:
   bool is_known(const Value& name, std::string_view what, const std::vector<std::string_view>& known) {
@@ -100,9 +111,74 @@ class LayerReader {
 
   void check_pens(const Value& pen) {
     is_known(pen, "pen", pens_);
-    const Value* of = pen.table() == nullptr ? nullptr : pen.table()->find("of");
-    if (of == nullptr || of->array() == nullptr) return;
-    for (const Value& each : *of->array()) is_known(each, "pen", pens_);
+    const auto check_all = [&](const Value* list) {
+      if (list == nullptr || list->array() == nullptr) return;
+      for (const Value& each : *list->array()) {
+        if (each.text() == nullptr || *each.text() != no_pen) is_known(each, "pen", pens_);
+      }
+    };
+    check_all(&pen);
+    if (pen.table() == nullptr) return;
+    check_all(pen.table()->find("of"));
+    for (const char* end : {"from", "to"}) {
+      if (const Value* name = pen.table()->find(end)) is_known(*name, "pen", pens_);
+    }
+  }
+
+  const NamedPen* pen_called(const std::string& name) const {
+    const auto found = std::ranges::find(piece_.pens, name, &NamedPen::name);
+    return found == piece_.pens.end() ? nullptr : &*found;
+  }
+
+  /// The first pen for a layer without one, pens of its own for a gradient, turns by level where there are several.
+  void settle_pens(Layer& layer) {
+    PenChoice& pen = layer.style.pen;
+    const NamedPen* from = pen_called(pen.from);
+    const NamedPen* to = pen_called(pen.to);
+    if (from != nullptr && to != nullptr) {
+      const std::size_t count = pen.at.empty() ? layer.level_count() : pen.at.size() + 1;
+      if (count == 1) {
+        context_.report(layer.where,
+                        fmt::format("layer '{}': pens from '{}' to '{}' need several levels, as in levels = "
+                                    "\"0..5\", or bands: 'by' and 'at'",
+                                    layer.style.name, pen.from, pen.to));
+      }
+      for (NamedPen& made : pens_between(*from, *to, count)) {
+        pen.of.push_back(made.name);
+        const bool is_known = pen_called(made.name) != nullptr ||
+                              std::ranges::find(made_pens_, made.name, &NamedPen::name) != made_pens_.end();
+        if (!is_known) made_pens_.push_back(std::move(made));
+      }
+    }
+    if (pen.of.empty()) pen.of = {std::string(pens_.front())};
+    if (!layer.coarser.empty()) primitives::turn_by_level(pen, layer.first_level);
+  }
+
+  void settle_primitives(const Value& value, Layer& layer) {
+    std::optional<primitives::PlacingSpec>& placing = layer.style.primitives;
+    if (!placing || value.table() == nullptr) return;
+    if (!layer.coarser.empty()) primitives::turn_by_level(*placing, layer.first_level);
+    const Value& use = *value.table()->find("use");
+    for (std::size_t i = 0; i < placing->use.of.size(); ++i) {
+      const std::string& name = placing->use.of[i];
+      layer.figures.push_back(name == primitives::no_figure ? nullptr : read_figure(name, name_place(use, i)));
+    }
+  }
+
+  /// Where figure i of a `use` stands.
+  static const Where& name_place(const Value& use, std::size_t i) {
+    const Value* of = use.table() == nullptr ? &use : use.table()->find("of");
+    return of->array() == nullptr ? of->where : (*of->array())[i].where;
+  }
+
+  std::shared_ptr<const Figure> read_figure(const std::string& name, const Where& where) {
+    Result<primitives::Primitive> found = primitives::find_primitive(name, context_.read_file);
+    if (found) return found->figure;
+    for (Problem problem : found.problems()) {
+      if (problem.where.file.empty()) problem.where = where;
+      context_.problems.push_back(std::move(problem));
+    }
+    return nullptr;
   }
 
   void check_style(const Table& table, const LayerStyle& style, const Where& where) {
@@ -227,8 +303,47 @@ class LayerReader {
                       fmt::format("no family '{}'{}", *family->text(), suggestion(*family->text(), family_names())));
       return;
     }
-    if (std::optional<std::any> parameters = layer.family->read(table, context_, {"family"})) {
+    if (const Value* levels = table.find("levels"); levels != nullptr && is_range(*levels)) {
+      read_levels(table, *levels, layer);
+    } else if (std::optional<std::any> parameters = layer.family->read(table, context_, {"family"})) {
       layer.parameters = *std::move(parameters);
+    }
+  }
+
+  static bool is_range(const Value& value) {
+    return value.text() != nullptr && value.text()->find("..") != std::string::npos;
+  }
+
+  /// levels = "0..5": the same curve at each of them.
+  void read_levels(const Table& table, const Value& range, Layer& layer) {
+    constexpr std::int64_t most_levels = 100;
+    const std::string& text = *range.text();
+    const std::size_t dots = text.find("..");
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+    const auto number = [&](std::string part, std::int64_t& target) {
+      return params::ValueType<std::int64_t>::read({range.where, std::move(part)}, target, context_);
+    };
+    if (!number(text.substr(0, dots), first) || !number(text.substr(dots + 2), last)) return;
+    if (first > last || last - first >= most_levels) {
+      context_.report(range.where,
+                      fmt::format("'levels': '{}' is no range of at most {} levels, the coarsest first, such "
+                                  "as \"0..5\"",
+                                  text, most_levels));
+      return;
+    }
+    layer.first_level = static_cast<int>(first);
+    // The finest first: what is wrong with one is wrong with all, and reported once.
+    for (std::int64_t level = last; level >= first; --level) {
+      Table at_level = table;
+      at_level.set("levels", {range.where, level});
+      std::optional<std::any> parameters = layer.family->read(at_level, context_, {"family"});
+      if (!parameters) return;
+      if (level == last) {
+        layer.parameters = *std::move(parameters);
+      } else {
+        layer.coarser.insert(layer.coarser.begin(), *std::move(parameters));
+      }
     }
   }
 
@@ -246,6 +361,9 @@ class LayerReader {
     return names;
   }
 
+  const Piece& piece_;
+  const std::vector<NamedImage>& images_;
+  std::vector<NamedPen> made_pens_;
   std::vector<std::string_view> pens_;
   std::vector<std::string_view> slots_;
   std::vector<std::string_view> curve_defines_;
@@ -283,24 +401,23 @@ std::vector<std::string> layer_names(const Array& layers) {
   return names;
 }
 
-std::vector<Layer> read_layers(const Table& root, const std::vector<std::string>& names, const Where& file,
-                               const Piece& piece, ReadContext& context) {
+void read_layers(const Table& root, const std::vector<std::string>& names, const Where& file,
+                 const std::vector<NamedImage>& images, Piece& piece, ReadContext& context) {
   const Value* section = root.find("layer");
   const Array* array = section == nullptr ? nullptr : section->array();
   if (section == nullptr || (array != nullptr && array->empty())) {
     context.report(section == nullptr ? file : section->where, "a preset needs at least one [[layer]]");
-    return {};
+    return;
   }
   if (array == nullptr) {
     context.report(section->where, "each layer begins with [[layer]], in two pairs of brackets");
-    return {};
+    return;
   }
   report_repeated_names(*array, context);
   const Value* defines = root.find("define");
-  LayerReader reader(piece, defines == nullptr ? nullptr : defines->table(), context);
-  std::vector<Layer> read;
-  for (std::size_t i = 0; i < array->size(); ++i) read.push_back(reader.read((*array)[i], names[i]));
-  return read;
+  LayerReader reader(piece, images, defines == nullptr ? nullptr : defines->table(), context);
+  for (std::size_t i = 0; i < array->size(); ++i) piece.layers.push_back(reader.read((*array)[i], names[i]));
+  piece.pens.insert(piece.pens.end(), reader.made_pens().begin(), reader.made_pens().end());
 }
 
 }  // namespace burin::preset

@@ -5,6 +5,7 @@
 
 #include <burin/params/read_context.hpp>
 #include <burin/preset/findings.hpp>
+#include <burin/preset/images.hpp>
 #include <burin/preset/piece.hpp>
 
 namespace burin::preset {
@@ -13,9 +14,9 @@ namespace burin::preset {
 /// numbered when that is taken ("flake", "flake 2"). To be asked before `like` is resolved, which forgets the names.
 std::vector<std::string> layer_names(const params::Array& layers);
 
-/// Reads [[layer]], of which there must be one; `file` is where that is reported. Pens and slots must be those of the
-/// piece. Pre: one name for each layer.
-std::vector<Layer> read_layers(const params::Table& root, const std::vector<std::string>& names, const Where& file,
-                               const Piece& piece, params::ReadContext& context);
+/// Reads [[layer]], of which there must be one, into the piece; `file` is where that is reported. Pens and slots must
+/// be those of the piece, which gets the pens of gradients too. Pre: one name for each layer.
+void read_layers(const params::Table& root, const std::vector<std::string>& names, const Where& file,
+                 const std::vector<NamedImage>& images, Piece& piece, params::ReadContext& context);
 
 }  // namespace burin::preset

@@ -153,11 +153,12 @@ Piece read_piece(Reading& reading, const Overrides& overrides, const ReadFile& r
   resolve_likes(root, findings);
   piece.about = read_about(root, context);
   context.placeholders = placeholders(piece, set.knobs);
-  piece.page = read_page(root, reading.file, context);
+  const Palette* palette = read_palette(root, context);
+  piece.page = read_page(root, reading.file, palette, context);
   if (overrides.enlarge) piece.enlarge_onto = read_enlarge(*overrides.enlarge, context);
-  piece.pens = read_pens(root, context);
+  piece.pens = read_pens(root, palette, context);
   piece.slots = read_slots(root, context);
-  piece.layers = read_layers(root, names, reading.file, piece, context);
+  read_layers(root, names, reading.file, read_images(root, context), piece, context);
   return piece;
 }
 

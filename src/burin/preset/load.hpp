@@ -17,6 +17,7 @@ namespace burin::preset {
 struct Overrides {
   std::vector<std::pair<std::string, std::string>> knobs;  ///< -D name=value
   std::vector<std::pair<std::string, std::string>> keys;   ///< --set page.margin=10mm, layer.NAME.opacity=0.5
+  std::vector<std::pair<std::string, std::string>> pens;   ///< "ink.width", "0.4mm": where the preset has such a pen
   std::optional<std::uint64_t> seed;
   std::optional<std::string> page_size;
   bool landscape = false;

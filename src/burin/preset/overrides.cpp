@@ -130,6 +130,22 @@ void apply_overrides(Table& root, const Overrides& overrides, Findings& findings
   const auto set = [&](const std::string& path, Value value) {
     KeySetter(root, path, std::move(value), findings).run();
   };
+  const Value* pens = root.find("pens");
+  const bool only_black_ink = pens == nullptr && root.find("palette") == nullptr;
+  const Table* written_pens = pens == nullptr ? nullptr : pens->table();
+  for (const auto& [path, text] : overrides.pens) {
+    const std::optional<std::vector<std::string>> parts = split_path(path);
+    const Where where{fmt::format("--pens {}={}", path, text)};
+    if (!parts || parts->size() != 2) {
+      findings.report(where, "expected a set of pens, or a key of a pen such as red.width=0.4mm");
+      continue;
+    }
+    const std::string& pen = parts->front();
+    const bool has_pen = only_black_ink ? pen == "ink" : written_pens != nullptr && written_pens->find(pen) != nullptr;
+    if (!has_pen) continue;
+    std::optional<Value> value = parse_toml_value(text, where, findings);
+    set("pens." + path, value ? *std::move(value) : Value{where, text});
+  }
   for (const auto& [path, text] : overrides.keys) {
     const Where where{fmt::format("--set {}={}", path, text)};
     std::optional<Value> value = parse_toml_value(text, where, findings);

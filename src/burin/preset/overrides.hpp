@@ -10,8 +10,8 @@
 namespace burin::preset {
 
 /// Every key at the top of a preset, in the order they are usually written.
-inline constexpr std::array<std::string_view, 9> top_level_keys{"burin", "seed",   "about", "page", "knobs",
-                                                                "pens",  "define", "slots", "layer"};
+inline constexpr std::array<std::string_view, 11> top_level_keys{
+    "burin", "seed", "about", "page", "knobs", "palette", "pens", "images", "define", "slots", "layer"};
 
 /// Writes page size, landscape, margin and `--set` keys into the tree, as if they stood in the file; their values are
 /// placed at the option. Knobs and the seed are left to their readers. A layer is found by its name or its number from

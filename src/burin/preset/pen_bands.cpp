@@ -1,69 +1,22 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include <burin/base/math.hpp>
-#include <burin/base/random.hpp>
 #include <burin/path/recording.hpp>
 #include <burin/preset/pen_bands.hpp>
 
 namespace burin::preset {
 
-namespace {
+PenBand::PenBand(PathSink& next, const PenChoice& choice, std::size_t band, const primitives::Setting& setting)
+    : Decorator(next), choice_(choice), band_(band), setting_(setting), used_(choice.used()), pieces_(next) {}
 
-constexpr std::uint64_t band_purpose = 3;
-constexpr double degrees_per_radian = 180.0 / math::pi;
-
-/// Half-open bands; NaN falls into the first.
-std::size_t band_of(double value, const std::vector<double>& at) {
-  std::size_t band = 0;
-  while (band < at.size() && value >= at[band]) ++band;
-  return band;
-}
-
-double angle_degrees(Vec2 v) {
-  return math::atan2(v.y, v.x) * degrees_per_radian;
-}
-
-}  // namespace
-
-PenBand::PenBand(PathSink& next, const PenChoice& choice, std::size_t band, const Copy& copy, const SlotFrame& frame,
-                 const DrawContext& context)
-    : Decorator(next),
-      choice_(choice),
-      band_(band),
-      copy_(copy),
-      frame_(frame),
-      seed_(context.seed),
-      origin_(context.origin),
-      pieces_(next) {}
-
-bool PenBand::inside(Vec2 from_origin, Vec2 direction) {
-  const Vec2 point = origin_ + from_origin;
-  const Vec2 p = copy_.slot_from_model(point);
-  std::array<double, band_variables.size()> values{};
-  // In the order of band_variables; angles cost most and are seldom asked for.
-  values = {point.x,
-            point.y,
-            choice_.by.uses(2) ? length(point) : 0.0,
-            choice_.by.uses(3) ? angle_degrees(point) : 0.0,
-            p.x,
-            p.y,
-            choice_.by.uses(6) ? length(p) : 0.0,
-            0.5 + p.x / frame_.width_mm,
-            0.5 + p.y / frame_.height_mm,
-            static_cast<double>(head_.level),
-            static_cast<double>(edge_index_),
-            choice_.by.uses(11) ? angle_degrees(direction) : 0.0,
-            static_cast<double>(copy_.column),
-            static_cast<double>(copy_.row),
-            static_cast<double>(copy_.index),
-            choice_.by.uses(15) ? uniform(seed_, band_purpose, copy_.index, edge_index_) : 0.0};
-  return band_of(choice_.by(values), choice_.at) == band_;
+bool PenBand::inside(Vec2 point, Vec2 direction) const {
+  const primitives::Frame frame{point, direction, direction, edge_index_};
+  return choice_.pick(primitives::position_values(setting_, place_, frame, used_)) == band_;
 }
 
 Flow PenBand::begin(const PathHead& head) {
   head_ = head;
+  place_ = {head.level, next_path_++};
   edge_index_ = 0;
   contour_points_ = 0;
   return Flow::go;
@@ -86,7 +39,7 @@ Flow PenBand::edge(Vec2 from, Vec2 to) {
   constexpr double most_steps = 10000.0;
   constexpr int bisections = 30;
   const Vec2 direction = to - from;
-  const double edge_mm = length(copy_.slot_from_model.linear(direction));
+  const double edge_mm = length(setting_.slot_from_model.linear(direction));
   const auto steps = static_cast<int>(std::clamp(std::ceil(edge_mm / step_mm), 1.0, most_steps));
   const auto at = [&](double t) { return t == 1.0 ? to : from + t * direction; };
   bool was_inside = inside(from, direction);

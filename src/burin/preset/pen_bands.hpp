@@ -4,10 +4,8 @@
 #include <cstdint>
 
 #include <burin/path/decorators.hpp>
-#include <burin/path/draw_context.hpp>
 #include <burin/path/stroke_pieces.hpp>
 #include <burin/preset/piece.hpp>
-#include <burin/preset/slot_layout.hpp>
 
 namespace burin::preset {
 
@@ -16,9 +14,8 @@ namespace burin::preset {
 /// in model units. O(1) memory.
 class PenBand final : public Decorator {
  public:
-  /// `choice` must outlive the sink; `context` is what the generator draws the copy under.
-  PenBand(PathSink& next, const PenChoice& choice, std::size_t band, const Copy& copy, const SlotFrame& frame,
-          const DrawContext& context);
+  /// `choice` must outlive the sink.
+  PenBand(PathSink& next, const PenChoice& choice, std::size_t band, const primitives::Setting& setting);
 
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
@@ -29,17 +26,17 @@ class PenBand final : public Decorator {
  private:
   Flow edge(Vec2 from, Vec2 to);
   Flow finish_contour();
-  bool inside(Vec2 from_origin, Vec2 direction);
+  bool inside(Vec2 point, Vec2 direction) const;
 
   const PenChoice& choice_;
   std::size_t band_;
-  Copy copy_;
-  SlotFrame frame_;
-  std::uint64_t seed_;
-  Vec2 origin_;
+  primitives::Setting setting_;
+  primitives::PositionUse used_;
   StrokePieces pieces_;
 
   PathHead head_{};
+  primitives::PathPlace place_{};
+  std::uint64_t next_path_ = 0;
   std::uint64_t edge_index_ = 0;
   std::uint64_t contour_points_ = 0;
   Vec2 first_{};

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <burin/curves/family.hpp>
-#include <burin/expr/expression.hpp>
 #include <burin/params/fields.hpp>
 #include <burin/path/sheet.hpp>
+#include <burin/primitives/placing.hpp>
 
 /// A preset after reading and before planning: every knob set, every name resolved, every value in its range. The
 /// structs here are the field tables of the preset format; their rows are its documentation.
@@ -145,19 +145,13 @@ struct SlotSpec {
   }
 };
 
-/// Which pen draws where: one pen, or half-open bands of a function of the place; band b holds at[b-1] <= by < at[b],
-/// and NaN falls into the first.
-struct PenChoice {
-  std::vector<std::string> of;  ///< names of pens; one: no bands
-  std::vector<double> at;       ///< ascending, one less than `of`
-  expr::Expression by;          ///< over band_variables
+/// Which pen draws where: one pen, pens in turn, or bands. "none" draws nothing.
+inline constexpr std::string_view no_pen = "none";
+struct PenChoice : primitives::Choice<std::string> {
+  /// Two pens between which pens of a layer's own are made, one for each level or band; `of` then follows from them.
+  std::string from;
+  std::string to;
 };
-
-/// The variables of position expressions, in this order: x y r phi (model units, degrees), px py pr (mm from the slot's
-/// centre, y up), u v (0..1 in the slot), level, index (of the edge in its path, from 0), angle (of the edge, degrees),
-/// i j copy (of the copy), rand (uniform in [0,1), keyed by seed, copy and edge).
-inline constexpr std::array<std::string_view, 16> band_variables{
-    "x", "y", "r", "phi", "px", "py", "pr", "u", "v", "level", "index", "angle", "i", "j", "copy", "rand"};
 
 enum class FillRule : std::uint8_t { nonzero, evenodd };
 constexpr auto words(FillRule) {
@@ -178,13 +172,15 @@ struct LayerStyle {
   std::vector<params::Length> dashes;
   double opacity = 1.0;
   std::int64_t seed = 0;
+  std::optional<primitives::PlacingSpec> primitives;
 
   static constexpr auto fields() {
     return std::tuple{
         params::field("name", &LayerStyle::name, "name of the layer; unset: its curve's, or text"),
         params::field("slot", &LayerStyle::slot, "where it is drawn; unset: the live area"),
         params::field("pen", &LayerStyle::pen,
-                      "a pen, or { by = \"f(x,y)\", at = [...], of = [...] }; unset: the first"),
+                      "a pen, a list that takes turns, { by = \"f(x,y)\", at = [...], of = [...] } or { from, to }; "
+                      "unset: the first"),
         params::field("fill", &LayerStyle::fill, "pen whose colour fills the closed paths; unset: no fill"),
         params::field("rule", &LayerStyle::rule, "which side of a crossing curve is inside"),
         params::field("stroke", &LayerStyle::stroke, "\"none\": fill only"),
@@ -194,7 +190,9 @@ struct LayerStyle {
         params::field("dashes", &LayerStyle::dashes, params::not_negative,
                       "lengths on, off, on ...; unset: a full line"),
         params::field("opacity", &LayerStyle::opacity, {0.0, 1.0}, "of the layer as a whole"),
-        params::field("seed", &LayerStyle::seed, "mixed into the piece's seed; 0: the piece's own")};
+        params::field("seed", &LayerStyle::seed, "mixed into the piece's seed; 0: the piece's own"),
+        params::field("primitives", &LayerStyle::primitives,
+                      "figures along the curve in place of its line: { use = \"leaf\", every = \"6mm\" }")};
   }
 };
 
@@ -203,7 +201,16 @@ struct Layer {
   Where where;
   LayerStyle style;
   const curves::Family* family = nullptr;
-  std::any parameters;
+  std::any parameters;            ///< of the finest level
+  std::vector<std::any> coarser;  ///< of the levels that are drawn before it, the coarsest first
+  int first_level = 0;            ///< the coarsest of several
+  primitives::Figures figures;    ///< of style.primitives, one for each name
+
+  std::size_t level_count() const { return coarser.size() + 1; }
+  /// Pre: level < level_count().
+  const std::any& level_parameters(std::size_t level) const {
+    return level < coarser.size() ? coarser[level] : parameters;
+  }
 };
 
 struct NamedPen {

@@ -82,7 +82,7 @@ struct ValueType<preset::SymmetryName> {
 
 template <>
 struct ValueType<preset::PenChoice> {
-  static std::string name() { return "pen or bands"; }
+  static std::string name() { return "pen, list or bands"; }
   static bool read(const Value& value, preset::PenChoice& choice, ReadContext& context);
   static std::string text(const preset::PenChoice& choice);
 };

@@ -60,10 +60,6 @@ class Plan {
  private:
   struct Step;
   struct Placed;
-  struct PlacedSlot;
-
-  /// Fits what the layers of a slot draw into it. Pre: a layer draws in this slot.
-  static Result<PlacedSlot> place_slot(const Piece& piece, const std::string& name);
 
   /// The options for the planned page, whose drawing an enlargement makes coarser.
   RunOptions before_enlarging(RunOptions options) const;

@@ -89,8 +89,9 @@ About read_about(const Table& root, ReadContext& context) {
   return about;
 }
 
-PageSpec read_page(const Table& root, const Where& file, ReadContext& context) {
+PageSpec read_page(const Table& root, const Where& file, const Palette* palette, ReadContext& context) {
   PageSpec page;
+  if (palette != nullptr) page.paper = palette->paper;
   const std::size_t before = context.problems.size();
   const Table* table = section(root, "page", context);
   if (table != nullptr) params::read_fields(*table, page, "page", context);
@@ -105,13 +106,21 @@ PageSize read_enlarge(const std::string& size, ReadContext& context) {
   return page;
 }
 
-std::vector<NamedPen> read_pens(const Table& root, ReadContext& context) {
+std::vector<NamedPen> read_pens(const Table& root, const Palette* palette, ReadContext& context) {
   std::vector<NamedPen> pens;
+  const auto give_colour = [palette](const std::string& name, PenSpec& pen) {
+    const Colour* colour = palette == nullptr ? nullptr : ink_of(*palette, name);
+    if (colour != nullptr) pen.color = *colour;
+  };
   read_named<PenSpec>(root, "pens", "pen", context, [&](const std::string& name, PenSpec pen, const Table* table) {
     if (table != nullptr) check_pen(*table, pen, context);
+    if (table != nullptr && table->find("color") == nullptr) give_colour(name, pen);
     pens.push_back({name, std::move(pen)});
   });
-  if (pens.empty()) pens.push_back({"ink", {}});
+  if (!pens.empty()) return pens;
+  pens.push_back({"ink", {}});
+  if (palette != nullptr) pens.insert(pens.end(), {{"accent", {}}, {"soft", {}}});
+  for (auto& [name, pen] : pens) give_colour(name, pen);
   return pens;
 }
 

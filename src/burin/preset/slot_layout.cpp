@@ -150,7 +150,7 @@ Result<std::vector<Copy>> lay_out(const SlotSpec& slot, const SlotFrame& frame, 
     for (const Affine2& tile_map : tiles) {
       for (const Affine2& turn : turned) {
         copies.push_back({slot_from_cell * tile_map * place_from_model * upright * turn, mirror * upright * turn,
-                          cells[cell].column, cells[cell].row, static_cast<int>(copies.size()),
+                          upright * turn, cells[cell].column, cells[cell].row, static_cast<int>(copies.size()),
                           static_cast<int>(cell)});
       }
     }

@@ -27,8 +27,9 @@ SlotFrame slot_frame(const PageSpec& page, const SlotSpec& slot);
 /// One copy of what a slot holds.
 struct Copy {
   Affine2 slot_from_model;
-  Affine2 model_from_model;  ///< the copy's symmetry alone, for output in model units
-  int column = 0;            ///< of the grid
+  Affine2 model_from_model;    ///< the copy's symmetry alone, for output in model units
+  Affine2 upright_from_model;  ///< what ContentBox was asked for
+  int column = 0;              ///< of the grid
   int row = 0;
   int index = 0;  ///< over all copies
   int cell = 0;   ///< of the grid, row by row: copies of one cell share their randomness

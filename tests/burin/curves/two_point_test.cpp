@@ -164,6 +164,22 @@ TEST(TwoPoint, ALevelKeepsTheVerticesOfTheOneBeforeBitForBit) {
   }
 }
 
+TEST(TwoPoint, RetainedPointsAreEveryKthOfTheirPath) {
+  const curves::Family& family = *find_family("two-point");
+  const auto every = [&](const std::string& json) { return family.retained_every(two_point(json)); };
+  EXPECT_EQ(every(R"({"motif": "koch", "levels": 5})"), 4U);
+  EXPECT_EQ(every(R"({"motif": "dragon", "levels": 1})"), 2U);
+  EXPECT_EQ(every(R"({"motif": "koch", "levels": 0})"), 0U);  // all of S_0 is new
+  EXPECT_EQ(every(R"({"motif": "hilbert", "levels": 4})"), 0U);
+  const std::string mixed =
+      R"({"motif": {"by_level": [{"marks": [[0.5, 0.3]]}, {"marks": [["1/3", 0.2], ["2/3", -0.2]]}]}, "levels": )";
+  EXPECT_EQ(every(mixed + "3}"), 2U);
+  EXPECT_EQ(every(mixed + "4}"), 3U);
+  const std::vector<Vec2> before = draw_points(two_point(mixed + "3}"));
+  const std::vector<Vec2> after = draw_points(two_point(mixed + "4}"));
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[3 * i], before[i]);
+}
+
 /// Parameters that between them take every road through the engine.
 const std::vector<std::string>& roads() {
   static const std::vector<std::string> all{

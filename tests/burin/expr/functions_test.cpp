@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -131,6 +133,25 @@ TEST(Functions, NamesAreUniqueAndKnown) {
   EXPECT_EQ(std::ranges::adjacent_find(names), names.end());
   EXPECT_TRUE(std::ranges::binary_search(names, "smoothstep"));
   EXPECT_TRUE(std::ranges::binary_search(names, "pi"));
+}
+
+TEST(Functions, APresetMayBringItsOwn) {
+  const auto own = [](const char* name, auto value) {
+    return PlaneFunction{name, std::make_shared<const std::function<double(double, double)>>(value)};
+  };
+  const std::vector<PlaneFunction> functions{own("face", [](double x, double y) { return 10 * x + y; }),
+                                             own("noise", [](double, double) { return 7.0; })};
+  constexpr std::array<std::string_view, 1> variables{"u"};
+  const auto compile = [&](std::string_view text) { return Expression::compile(text, variables, {}, functions); };
+  Result<Expression> made = compile("face(u, 2) + face(1, face(0, u))");
+  ASSERT_TRUE(made.ok()) << problems_text(made.problems());
+  const Expression copy = *made;
+  *made = Expression();  // the copy has functions of its own
+  EXPECT_EQ(copy(std::array{3.0}), 32.0 + 13.0);
+  EXPECT_EQ((*compile("noise(0.3, 0.4)"))(std::array{0.0}), 7.0);  // hides ours
+  EXPECT_EQ(compile("face(u)").problems().front().message, "'face' takes 2 arguments, not 1");
+  EXPECT_EQ(compile("fcae(u, 1)").problems().front().message, "unknown function 'fcae'; did you mean 'face'?");
+  EXPECT_FALSE(Expression::compile("face(u, 1)", variables, {}).ok());
 }
 
 }  // namespace

@@ -79,6 +79,29 @@ TEST(Recording, ReplayEndsAtTheFirstStop) {
   }
 }
 
+TEST(Figure, LooksAreToldApartByPointsContoursAndPaint) {
+  const auto figure_of = [](const PathHead& head, const std::vector<Vec2>& first, const std::vector<Vec2>& second) {
+    Recorder recorder;
+    EXPECT_EQ(recorder.begin(head), Flow::go);
+    EXPECT_EQ(recorder.points(first), Flow::go);
+    EXPECT_EQ(recorder.contour(), Flow::go);
+    EXPECT_EQ(recorder.points(second), Flow::go);
+    EXPECT_EQ(recorder.end(), Flow::go);
+    return Figure(recorder.take());
+  };
+  const Figure figure = figure_of({}, {{0, 0}, {1, 0}, {2, 5}}, {{3, 3}});
+  EXPECT_EQ(figure.bounds(), (Box2{{0, 0}, {3, 5}}));
+  const Figure on_another_layer = figure_of({.layer = 3, .level = 2}, {{0, 0}, {1, 0}, {2, 5}}, {{3, 3}});
+  EXPECT_TRUE(figure.looks_like(on_another_layer));
+  EXPECT_EQ(figure.fingerprint(), on_another_layer.fingerprint());
+  EXPECT_FALSE(figure.looks_like(figure_of({}, {{0, 0}, {1, 0}}, {{2, 5}, {3, 3}})));
+  EXPECT_FALSE(figure.looks_like(figure_of({.closed = true}, {{0, 0}, {1, 0}, {2, 5}}, {{3, 3}})));
+  EXPECT_FALSE(figure.looks_like(figure_of({.paint = Paint::fill_nonzero}, {{0, 0}, {1, 0}, {2, 5}}, {{3, 3}})));
+  const Figure moved = figure_of({}, {{0, 0}, {1, 0}, {2, 5}}, {{3, 3.5}});
+  EXPECT_FALSE(figure.looks_like(moved));
+  EXPECT_NE(figure.fingerprint(), moved.fingerprint());
+}
+
 TEST(Place, ExpandsIntoTheFiguresPathsWithTheHeadsLabels) {
   Recorder recorder;
   ASSERT_EQ(draw_ring_and_dot(recorder), Flow::go);

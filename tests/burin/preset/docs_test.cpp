@@ -54,13 +54,19 @@ TEST(Docs, TheFormatsTablesAreTheCodes) {
   EXPECT_EQ(page, expected) << "run again with BURIN_BLESS=1 to write docs/presets.md anew";
 }
 
-TEST(Docs, TheExampleLoads) {
+TEST(Docs, TheExamplesLoad) {
   std::ostringstream read;
   read << std::ifstream(std::string(BURIN_SOURCE_DIR) + "/docs/presets.md").rdbuf();
   const std::string page = read.str();
-  const std::size_t begin = page.find("```toml\n") + 8;
-  const Result<Piece> piece = load({"docs/presets.md", page.substr(begin, page.find("```", begin) - begin)}, {}, {});
-  EXPECT_TRUE(piece.ok()) << problems_text(piece.problems());
+  int examples = 0;
+  const std::string fence = "```toml\n";
+  for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
+    at += fence.size();
+    const Result<Piece> piece = load({"docs/presets.md", page.substr(at, page.find("```", at) - at)}, {}, {});
+    EXPECT_TRUE(piece.ok()) << problems_text(piece.problems());
+    ++examples;
+  }
+  EXPECT_GE(examples, 2);
 }
 
 }  // namespace

@@ -63,20 +63,18 @@ TEST(Layer, PensMayFollowThePlace) {
   const PenChoice pen = style_of("pen = { by = 'pr - 2*u', at = [-1, '60/2'], of = ['ink', 'red', 'ink'] }").pen;
   EXPECT_EQ(pen.of, (std::vector<std::string>{"ink", "red", "ink"}));
   EXPECT_EQ(pen.at, (std::vector<double>{-1.0, 30.0}));
-  std::array<double, band_variables.size()> place{};
+  primitives::PositionValues place{};
   place[6] = 10.0;
   place[7] = 0.5;
   EXPECT_EQ(pen.by(place), 9.0);
 }
 
 TEST(Layer, ReportsBandsThatAreNone) {
-  EXPECT_EQ(style_complaint("pen = 3"),
-            "p.toml:6:7: error: 'pen': expected a pen or { by = \"f(x,y)\", at = [...], of = [...] }, found a whole "
-            "number\n");
+  EXPECT_EQ(style_complaint("pen = 3"), "p.toml:6:7: error: 'pen': expected a text, found a whole number\n");
   EXPECT_EQ(style_complaint("pen = { by = 'x', of = ['ink'] }"),
             "p.toml:6:7: error: 'pen': bands need 'at': { by = \"f(x,y)\", at = [...], of = [...] }\n");
   EXPECT_EQ(style_complaint("pen = { by = 'x', at = [1], of = ['ink'] }"),
-            "p.toml:6:34: error: 'pen': 1 bounds in 'at' need 2 pens in 'of', found 1\n");
+            "p.toml:6:34: error: 'pen': 1 bounds in 'at' need 2 in 'of', found 1\n");
   EXPECT_EQ(style_complaint("pen = { by = 'x', at = [1, 1], of = ['ink', 'red', 'ink'] }"),
             "p.toml:6:28: error: 'pen': bounds must ascend: 1 does not follow 1\n");
   EXPECT_EQ(style_complaint("pen = { by = 'x + foo', at = [1], of = ['ink', 'rde'] }"),
@@ -100,7 +98,7 @@ TEST(Layer, ReportsAStyleThatDrawsNothing) {
             "p.toml:8:8: error: no pen 'blue'; known: ink, red\n");
   EXPECT_EQ(style_complaint("form = 'sphere'\nmitre = 3"),
             "p.toml:6:1: error: unknown key 'form' in layer 'two-point'; known: name, slot, pen, fill, rule, stroke, "
-            "caps, joins, miter, dashes, opacity, seed, curve, text\n"
+            "caps, joins, miter, dashes, opacity, seed, primitives, curve, text\n"
             "p.toml:7:1: error: unknown key 'mitre' in layer 'two-point'; did you mean 'miter'?\n");
 }
 

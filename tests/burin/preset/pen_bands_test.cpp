@@ -3,16 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <burin/path/recording.hpp>
+#include <burin/preset/layer_run.hpp>
 #include <burin/preset/pen_bands.hpp>
 
 namespace burin::preset {
 namespace {
 
-const SlotFrame frame{{100, 100}, 40, 20};
+/// A slot of 40 x 20 mm.
+primitives::Setting setting_of(const Copy& copy, std::uint64_t seed) {
+  return preset::setting_of({{100, 100}, 40, 20}, copy, {.seed = seed});
+}
 
 PenChoice choice(std::string_view by, std::vector<double> at) {
   PenChoice made;
-  made.by = *expr::Expression::compile(by, band_variables, {});
+  made.by = *expr::Expression::compile(by, primitives::position_variables, {});
   made.at = std::move(at);
   made.of.assign(made.at.size() + 1, "pen");
   return made;
@@ -23,7 +27,7 @@ Recording band(const PenChoice& pens, std::size_t which, const std::vector<Vec2>
                const Copy& copy = {}, std::uint64_t seed = 0) {
   Recorder recorder;
   Checked checked(recorder);
-  PenBand filter(checked, pens, which, copy, frame, {.seed = seed});
+  PenBand filter(checked, pens, which, setting_of(copy, seed));
   EXPECT_EQ(filter.begin({.closed = closed}), Flow::go);
   EXPECT_EQ(filter.points(points), Flow::go);
   EXPECT_EQ(filter.end(), Flow::go);
@@ -103,6 +107,13 @@ TEST(PenBand, PlacesAreMeasuredOnThePage) {
   EXPECT_TRUE(sees("i", 2));
   EXPECT_TRUE(sees("j", 3));
   EXPECT_TRUE(sees("copy", 5));
+  // Of a line: its edge has every direction, and a length on the page.
+  const std::vector<Vec2> line{{0, 0}, {0, 0.1}};
+  const auto line_sees = [&](std::string_view by, double value) {
+    return !band(choice(by, {value - 1e-9, value + 1e-9}), 1, line, false, copy).empty();
+  };
+  for (const char* direction : {"angle", "edge", "tangent", "normal + 90"}) EXPECT_TRUE(line_sees(direction, 90));
+  EXPECT_TRUE(line_sees("length", 1));
 }
 
 TEST(PenBand, EdgesHaveAnIndexAnAngleAndTheirOwnChance) {
@@ -116,6 +127,11 @@ TEST(PenBand, EdgesHaveAnIndexAnAngleAndTheirOwnChance) {
   EXPECT_NEAR(drawn, 0.25, 0.03);
   EXPECT_EQ(band(chance, 0, zigzag, false, {}, 7).all_points(), band(chance, 0, zigzag, false, {}, 7).all_points());
   EXPECT_NE(band(chance, 0, zigzag, false, {}, 7).all_points(), band(chance, 0, zigzag, false, {}, 8).all_points());
+  // Symmetric copies are alike.
+  Copy mirrored;
+  mirrored.index = 3;
+  EXPECT_EQ(band(chance, 0, zigzag, false, {}, 7).all_points(),
+            band(chance, 0, zigzag, false, mirrored, 7).all_points());
 }
 
 }  // namespace

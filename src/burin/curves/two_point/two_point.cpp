@@ -180,6 +180,11 @@ struct TwoPointFamily {
     const std::optional<SignRule>& sign = params.sign ? params.sign : params.motif.sign;
     return params.motif.is_random() || (sign && sign->kind == SignRule::Kind::random);
   }
+
+  /// A join draws points of the edges, which no other level has.
+  static std::uint64_t retained_every(const Params& params) {
+    return params.levels == 0 || params.motif.join ? 0 : params.motif.stage(params.levels).child_count();
+  }
 };
 
 /// One step down: the sub-edge `digit` of an edge of the general rule.

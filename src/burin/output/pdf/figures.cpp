@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <burin/base/check.hpp>
@@ -14,30 +13,6 @@ constexpr std::size_t fewest_points = 16;  ///< below, a call of a form is longe
 constexpr std::size_t most_points = 1U << 16U;
 constexpr std::size_t most_figures = 256;
 
-/// FNV-1a over 64-bit words: tells drawings apart, which are then compared.
-std::uint64_t hash_of(const Recording& drawing) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const Vec2 p : drawing.all_points()) {
-    for (const double coordinate : {p.x, p.y}) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x100000001b3U;
-      hash ^= hash >> 32U;
-    }
-  }
-  return hash;
-}
-
-bool same_looks(const Recording& a, const Recording& b) {
-  const auto same_contours = [&](const Recording::Path& p, const Recording::Path& q) {
-    return std::ranges::equal(a.contours(p), b.contours(q), [](const auto& c, const auto& d) {
-      return c.first_point == d.first_point && c.point_count == d.point_count;
-    });
-  };
-  return a.all_points() == b.all_points() &&
-         std::ranges::equal(a.paths(), b.paths(), [&](const Recording::Path& p, const Recording::Path& q) {
-           return p.head.paint == q.head.paint && p.head.closed == q.head.closed && same_contours(p, q);
-         });
-}
-
 }  // namespace
 
 double reach(const Box2& box) {
@@ -47,7 +22,7 @@ double reach(const Box2& box) {
 std::optional<FigureForm> figure_form(const Figure& figure) {
   const Recording& drawing = figure.drawing();
   if (drawing.all_points().size() < fewest_points) return std::nullopt;
-  const double farthest = reach(drawing.bounds());
+  const double farthest = reach(figure.bounds());
   if (!(farthest > 0.0) || !std::isfinite(form_size / farthest)) return std::nullopt;
   const double scale = form_size / farthest;
   Pieces pieces(0);
@@ -67,9 +42,7 @@ std::optional<FigureForm> figure_form(const Figure& figure) {
 }
 
 std::optional<Figures::Known> Figures::find(const Figure& figure) const {
-  const std::uint64_t hash = hash_of(figure.drawing());
-  const auto found = std::ranges::find_if(
-      kept_, [&](const Kept& kept) { return kept.hash == hash && same_looks(kept.drawing, figure.drawing()); });
+  const auto found = std::ranges::find_if(kept_, [&](const Kept& kept) { return kept.figure.looks_like(figure); });
   return found == kept_.end() ? std::nullopt : std::optional(found->known);
 }
 
@@ -80,7 +53,7 @@ bool Figures::has_room_for(const Figure& figure) const {
 Figures::Known Figures::add(const Figure& figure, double units_per_figure_unit) {
   BURIN_EXPECT(has_room_for(figure));
   points_ += figure.drawing().all_points().size();
-  kept_.push_back({hash_of(figure.drawing()), figure.drawing(), {kept_.size(), units_per_figure_unit}});
+  kept_.push_back({figure, {kept_.size(), units_per_figure_unit}});
   return kept_.back().known;
 }
 

@@ -43,8 +43,7 @@ class Figures {
 
  private:
   struct Kept {
-    std::uint64_t hash = 0;
-    Recording drawing;
+    Figure figure;
     Known known;
   };
   std::vector<Kept> kept_;

@@ -28,13 +28,6 @@ constexpr double farthest_mm = 1e6;
 /// 14400 points: viewers need not open longer pages (ISO 32000-1, annex C.2).
 constexpr double longest_page_mm = 200.0 * mm_per_inch;
 
-/// Turned, mirrored, scaled and moved, but not bent out of shape.
-bool is_similarity(const Affine2& m) {
-  const double slack = 1e-9 * m.scale();
-  const auto same = [&](double x, double y) { return std::abs(x - y) <= slack; };
-  return m.determinant() != 0.0 && ((same(m.a, m.d) && same(m.b, -m.c)) || (same(m.a, -m.d) && same(m.b, m.c)));
-}
-
 /// Whether the box, put on the page, is within what readers understand.
 bool is_near(const Affine2& page_from_box, const Box2& box) {
   return std::ranges::all_of(std::array{box.low, box.high, Vec2{box.low.x, box.high.y}, Vec2{box.high.x, box.low.y}},
@@ -198,7 +191,7 @@ void PdfSink::spill(std::size_t more_than) {
 /// Strokes keep the pen's width whatever the figure's size, so only a figure that keeps its shape can be a form.
 Flow PdfSink::place(const PathHead& head, const Figure& figure, const Affine2& at) {
   if (head.role == Role::mask || flow() == Flow::stop) return flow();
-  const Box2 bounds = figure.drawing().bounds();
+  const Box2& bounds = figure.bounds();
   const double reach_mm = pdf::reach(bounds) * at.scale();
   const double unit_in_form_mm = reach_mm / pdf::form_size;
   const bool exact = unit_in_form_mm <= half_unit_mm(pieces_.grid().decimals());
