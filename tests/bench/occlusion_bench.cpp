@@ -38,7 +38,8 @@ double occlusion_s(const std::vector<DrawnPath>& paths, double& seen_mm) {
   passes::Regions::Item item = 0;
   {
     passes::RegionRecorder recorder(regions, item);
-    passes::ItemCounter counter(recorder, item);
+    passes::ClosedPaths areas(recorder, Paint::fill_nonzero);
+    passes::ItemCounter counter(areas, item);
     EXPECT_EQ(draw(paths, counter), Flow::go);
   }
   regions.build_index();

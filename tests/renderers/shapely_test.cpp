@@ -66,7 +66,8 @@ std::vector<double> our_lengths(const std::vector<DrawnPath>& paths, passes::Kee
   passes::Regions regions;
   passes::Regions::Item item = 0;
   passes::RegionRecorder masks(regions, item);
-  passes::ItemCounter first_run(masks, item);
+  passes::ClosedPaths areas(masks, Paint::fill_nonzero);
+  passes::ItemCounter first_run(areas, item);
   EXPECT_EQ(draw(paths, first_run), Flow::go);
   regions.build_index();
   std::vector<double> lengths;

@@ -2,6 +2,7 @@
 
 #include <burin/passes/regions.hpp>
 #include <burin/path/decorators.hpp>
+#include <burin/path/recording.hpp>
 
 namespace burin::passes {
 
@@ -25,20 +26,44 @@ class ItemCounter final : public Decorator {
   Regions::Item& item_;
 };
 
-/// Takes a drawing and adds what its closed paths enclose to regions, each path to its item. A stroke's rule is
-/// nonzero.
+/// Makes areas of closed paths: strokes become fills by `rule`, fills stay as they are, open strokes end here.
+class ClosedPaths final : public Decorator {
+ public:
+  ClosedPaths(PathSink& next, Paint rule) : Decorator(next), rule_(rule) {}
+
+  Flow begin(const PathHead& head) override {
+    passes_ = head.closed || head.paint != Paint::stroke;
+    if (!passes_) return Flow::go;
+    PathHead area = head;
+    area.closed = true;
+    if (head.paint == Paint::stroke) area.paint = rule_;
+    return next().begin(area);
+  }
+  Flow points(std::span<const Vec2> points) override { return passes_ ? next().points(points) : Flow::go; }
+  Flow contour() override { return passes_ ? next().contour() : Flow::go; }
+  Flow end() override { return passes_ ? next().end() : Flow::go; }
+  Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override {
+    return PathSink::place(head, figure, at);
+  }
+
+ private:
+  Paint rule_;
+  bool passes_ = false;
+};
+
+/// Takes fills and adds their areas to regions, each path to its item.
 class RegionRecorder final : public PathSink {
  public:
   /// `item`: of what passes, kept by an ItemCounter. Both outlive the recorder.
   RegionRecorder(Regions& regions, const Regions::Item& item) : regions_(regions), item_(item) {}
 
   Flow begin(const PathHead& head) override {
-    head_ = head;
+    rule_ = head.paint;
     contours_.assign(1, {});
     return Flow::go;
   }
   Flow points(std::span<const Vec2> points) override {
-    if (is_closed()) contours_.back().insert(contours_.back().end(), points.begin(), points.end());
+    contours_.back().insert(contours_.back().end(), points.begin(), points.end());
     return Flow::go;
   }
   Flow contour() override {
@@ -46,18 +71,14 @@ class RegionRecorder final : public PathSink {
     return Flow::go;
   }
   Flow end() override {
-    if (is_closed()) {
-      regions_.add(item_, contours_, head_.paint == Paint::stroke ? Paint::fill_nonzero : head_.paint);
-    }
+    regions_.add(item_, contours_, rule_);
     return Flow::go;
   }
 
  private:
-  bool is_closed() const { return head_.closed || head_.paint != Paint::stroke; }
-
   Regions& regions_;
   const Regions::Item& item_;
-  PathHead head_{};
+  Paint rule_ = Paint::fill_nonzero;
   std::vector<std::vector<Vec2>> contours_;
 };
 

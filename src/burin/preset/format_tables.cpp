@@ -23,6 +23,8 @@ std::vector<FormatTable> format_tables() {
        params::field_infos<LayerStyle>()},
       {"primitives", "figures along a layer's curve, in place of its line",
        params::field_infos<primitives::PlacingSpec>()},
+      {"clip", "a plain shape in place of a layer's name, for 'clip' and 'outside' of a layer",
+       params::field_infos<ClipTable>()},
       {"base", "what a curve refines, written as a table", curves::base_fields()},
       {"figure", "something to be placed, written as a table in [define]", primitives::figure_fields()},
       {"motif", "what replaces an edge, written as a table", curves::two_point::motif_fields()},

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include <burin/passes/items.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/path/recording.hpp>
 #include <burin/preset/layer_run.hpp>
@@ -65,6 +66,9 @@ class PointLimit final : public PathSink {
   double count_ = 0.0;
 };
 
+/// More items than a level has of them.
+constexpr passes::Regions::Item items_of_level = passes::Regions::Item{1} << 32U;
+
 /// A curve is run through to count its figures up to so many points.
 constexpr double most_points_counted = 5e7;
 
@@ -88,6 +92,10 @@ LayerPart pen_part(const Layer& layer, std::size_t pen) {
   return part;
 }
 
+passes::Regions::Item items_of_copy(const Layer& layer) {
+  return layer.level_count() * items_of_level;
+}
+
 primitives::Setting setting_of(const SlotFrame& frame, const Copy& copy, const DrawContext& context) {
   return {.slot_from_model = copy.slot_from_model,
           .slot_width_mm = frame.width_mm,
@@ -107,28 +115,35 @@ LayerRun::LayerRun(const Layer& layer, const LayerPart& part)
   }
 }
 
-Flow LayerRun::draw_levels(const DrawContext& context, PathSink& sink, primitives::Placing* placing) {
+Flow LayerRun::draw_levels(const DrawContext& context, PathSink& sink, passes::Regions::Item& item,
+                           primitives::Placing* placing) {
+  const passes::Regions::Item first = item;
   for (const std::size_t level : part_.levels) {
     const std::any& parameters = layer_.level_parameters(level);
     if (placing != nullptr) placing->begin_level(layer_.family->retained_every(parameters));
+    item = first + level * items_of_level;
     if (layer_.family->draw(parameters, context, sink) == Flow::stop) return Flow::stop;
   }
+  item = first + items_of_copy(layer_);
   return Flow::go;
 }
 
-Flow LayerRun::draw(const primitives::Setting& setting, const DrawContext& context, PathSink& sink, bool* overflowed) {
+Flow LayerRun::draw(const primitives::Setting& setting, const DrawContext& context, PathSink& sink,
+                    passes::Regions::Item& item, bool* overflowed) {
   if (placing_) {
     const primitives::PenFilter filter =
         part_.pen ? primitives::PenFilter{&pens_, *part_.pen} : primitives::PenFilter{};
     primitives::Placing placing(sink, *placing_, figures_, setting, filter);
+    placing.count_items(item);
     Stoppable stoppable(placing, context.stop);  // few points may reach the sink
-    const Flow flow = draw_levels(context, stoppable, &placing);
+    const Flow flow = draw_levels(context, stoppable, item, &placing);
     if (overflowed != nullptr) *overflowed = *overflowed || placing.overflowed();
     return flow;
   }
-  if (!part_.pen) return draw_levels(context, sink, nullptr);
-  PenBand banded(sink, pens_, *part_.pen, setting);
-  return draw_levels(context, banded, nullptr);
+  std::optional<PenBand> banded;
+  if (part_.pen) banded.emplace(sink, pens_, *part_.pen, setting);
+  passes::ItemCounter counter(banded ? static_cast<PathSink&>(*banded) : sink, item);
+  return draw_levels(context, counter, item, nullptr);
 }
 
 Forecast LayerRun::forecast_curve(const DrawContext& context, double enough) const {
@@ -173,7 +188,8 @@ Forecast LayerRun::count_figures(const primitives::Setting& setting, const DrawC
   LayerPart part = part_;
   part.pen.reset();
   PointLimit limit(enough);
-  const bool ended = LayerRun(layer_, part).draw(setting, context, limit) == Flow::stop;
+  passes::Regions::Item item = 0;
+  const bool ended = LayerRun(layer_, part).draw(setting, context, limit, item) == Flow::stop;
   return {limit.count(), asked, !ended};
 }
 

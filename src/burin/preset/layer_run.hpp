@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <burin/passes/regions.hpp>
 #include <burin/path/draw_context.hpp>
 #include <burin/path/path_sink.hpp>
 #include <burin/preset/piece.hpp>
@@ -23,6 +24,9 @@ LayerPart whole_layer(const Layer& layer, Paint paint = Paint::stroke);
 /// What one pen of the layer draws.
 LayerPart pen_part(const Layer& layer, std::size_t pen);
 
+/// How many items a copy of the layer has at most: numbers for the next copy begin there.
+passes::Regions::Item items_of_copy(const Layer& layer);
+
 /// How a copy lies, for expressions over the place.
 primitives::Setting setting_of(const SlotFrame& frame, const Copy& copy, const DrawContext& context);
 
@@ -33,15 +37,19 @@ class LayerRun {
   /// `layer` and `part` must outlive this.
   LayerRun(const Layer& layer, const LayerPart& part);
 
-  /// Draws the part in model units. `overflowed` is set when `distinct` or `apart` could not remember all places.
-  Flow draw(const primitives::Setting& setting, const DrawContext& context, PathSink& sink, bool* overflowed = nullptr);
+  /// Draws the part in model units. `item` numbers what is drawn, a path or a place for a figure each: while one
+  /// passes, it is that one's number, the same for every part of the layer, and higher the later it comes. `overflowed`
+  /// is set when `distinct` or `apart` could not remember all places.
+  Flow draw(const primitives::Setting& setting, const DrawContext& context, PathSink& sink, passes::Regions::Item& item,
+            bool* overflowed = nullptr);
 
   /// What draw will emit, with the other pens of the layer where places are shared out among them; gives up counting
   /// above `enough`.
   Forecast forecast(const primitives::Setting& setting, const DrawContext& context, double enough) const;
 
  private:
-  Flow draw_levels(const DrawContext& context, PathSink& sink, primitives::Placing* placing);
+  Flow draw_levels(const DrawContext& context, PathSink& sink, passes::Regions::Item& item,
+                   primitives::Placing* placing);
   Forecast forecast_curve(const DrawContext& context, double enough) const;
   Forecast count_figures(const primitives::Setting& setting, const DrawContext& context, double asked,
                          double enough) const;

@@ -66,8 +66,19 @@ std::vector<std::string_view> names_of(const std::vector<Named>& all) {
 
 class LayerReader {
  public:
-  LayerReader(const Piece& piece, const std::vector<NamedImage>& images, const Table* defines, ReadContext& context)
-      : piece_(piece), images_(images), pens_(names_of(piece.pens)), slots_(names_of(piece.slots)), context_(context) {
+  LayerReader(const Piece& piece, const std::vector<NamedImage>& images, const Table* defines, const Array& layers,
+              const std::vector<std::string>& layer_names, ReadContext& context)
+      : piece_(piece),
+        images_(images),
+        pens_(names_of(piece.pens)),
+        slots_(names_of(piece.slots)),
+        layers_(layer_names),
+        context_(context) {
+    for (const Value& layer : layers) {
+      for (const char* key : {"clip", "outside"}) {
+        if (const std::string* name = text_of(layer.table(), key)) clips_.push_back(*name);
+      }
+    }
     if (defines == nullptr) return;
     for (const params::Entry& entry : defines->entries) {
       if (entry.value.table() != nullptr && entry.value.table()->find("family") != nullptr) {
@@ -190,10 +201,33 @@ class LayerReader {
       context_.report(
           stroke->where,
           fmt::format("'stroke' is \"none\" or left out, not '{}'; the pen is chosen by 'pen'", style.stroke));
-    } else if (style.stroke == "none" && table.find("fill") == nullptr) {
-      context_.report(stroke == nullptr ? where : stroke->where, "without stroke and 'fill' the layer draws nothing");
+    } else if (style.stroke == "none" && table.find("fill") == nullptr && !style.hide && !is_clip(style.name)) {
+      context_.report(stroke == nullptr ? where : stroke->where,
+                      "without stroke and 'fill' the layer draws nothing, and it neither hides nor clips others");
+    }
+    if (const Value* hidden = table.find("hidden")) is_known(*hidden, "pen", pens_);
+    for (const char* key : {"clip", "outside"}) {
+      if (const Value* clip = table.find(key)) check_clip(*clip, style);
     }
     if (const Value* dashes = table.find("dashes")) check_dashes(*dashes, style);
+  }
+
+  /// Whether another layer is clipped by the one of this name.
+  bool is_clip(const std::string& name) const { return std::ranges::find(clips_, name) != clips_.end(); }
+
+  void check_clip(const Value& value, const LayerStyle& style) {
+    const std::string* name = value.text();
+    if (name == nullptr) return;
+    if (*name == style.name) {
+      context_.report(value.where, fmt::format("layer '{}' cannot be clipped by itself", *name));
+      return;
+    }
+    const std::vector<std::string_view> known(layers_.begin(), layers_.end());
+    if (std::ranges::find(layers_, *name) == layers_.end()) {
+      context_.report(value.where, fmt::format("no layer '{}'{} A plain shape is a table: {{ shape = \"disc\", r = "
+                                               "\"70mm\" }}",
+                                               *name, suggestion(*name, known)));
+    }
   }
 
   void check_dashes(const Value& value, const LayerStyle& style) {
@@ -366,6 +400,8 @@ class LayerReader {
   std::vector<NamedPen> made_pens_;
   std::vector<std::string_view> pens_;
   std::vector<std::string_view> slots_;
+  const std::vector<std::string>& layers_;
+  std::vector<std::string> clips_;  ///< the layers that others are clipped by
   std::vector<std::string_view> curve_defines_;
   ReadContext& context_;
 };
@@ -415,7 +451,7 @@ void read_layers(const Table& root, const std::vector<std::string>& names, const
   }
   report_repeated_names(*array, context);
   const Value* defines = root.find("define");
-  LayerReader reader(piece, images, defines == nullptr ? nullptr : defines->table(), context);
+  LayerReader reader(piece, images, defines == nullptr ? nullptr : defines->table(), *array, names, context);
   for (std::size_t i = 0; i < array->size(); ++i) piece.layers.push_back(reader.read((*array)[i], names[i]));
   piece.pens.insert(piece.pens.end(), reader.made_pens().begin(), reader.made_pens().end());
 }

@@ -10,6 +10,7 @@
 #include <burin/curves/family.hpp>
 #include <burin/params/fields.hpp>
 #include <burin/path/sheet.hpp>
+#include <burin/preset/clip_spec.hpp>
 #include <burin/primitives/placing.hpp>
 
 /// A preset after reading and before planning: every knob set, every name resolved, every value in its range. The
@@ -173,6 +174,10 @@ struct LayerStyle {
   double opacity = 1.0;
   std::int64_t seed = 0;
   std::optional<primitives::PlacingSpec> primitives;
+  bool hide = false;
+  std::string hidden;
+  std::optional<ClipSpec> clip;
+  std::optional<ClipSpec> outside;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -183,7 +188,7 @@ struct LayerStyle {
                       "unset: the first"),
         params::field("fill", &LayerStyle::fill, "pen whose colour fills the closed paths; unset: no fill"),
         params::field("rule", &LayerStyle::rule, "which side of a crossing curve is inside"),
-        params::field("stroke", &LayerStyle::stroke, "\"none\": fill only"),
+        params::field("stroke", &LayerStyle::stroke, "\"none\": fill only, or hide and clip only"),
         params::field("caps", &LayerStyle::caps, "ends of open lines"),
         params::field("joins", &LayerStyle::joins, "corners"),
         params::field("miter", &LayerStyle::miter, {1.0, 1000.0}, "longest miter, in line widths"),
@@ -192,7 +197,14 @@ struct LayerStyle {
         params::field("opacity", &LayerStyle::opacity, {0.0, 1.0}, "of the layer as a whole"),
         params::field("seed", &LayerStyle::seed, "mixed into the piece's seed; 0: the piece's own"),
         params::field("primitives", &LayerStyle::primitives,
-                      "figures along the curve in place of its line: { use = \"leaf\", every = \"6mm\" }")};
+                      "figures along the curve in place of its line: { use = \"leaf\", every = \"6mm\" }"),
+        params::field("hide", &LayerStyle::hide,
+                      "cut away what its closed paths cover: lower layers, and its own earlier paths and figures"),
+        params::field("hidden", &LayerStyle::hidden, "pen for the lines that others hide; unset: they are left out"),
+        params::field("clip", &LayerStyle::clip,
+                      "show only what lies inside a layer's closed paths, by its name, or { shape = \"disc\", r = "
+                      "\"70mm\" }; lines are cut"),
+        params::field("outside", &LayerStyle::outside, "the same for what lies outside")};
   }
 };
 

@@ -60,15 +60,24 @@ class Plan {
  private:
   struct Step;
   struct Placed;
+  struct Clip;
+  struct Areas;
+
+  /// Fits every slot and numbers the items of the layers.
+  static Result<std::vector<std::shared_ptr<const Placed>>> place_layers(const Piece& piece);
+  static std::vector<Clip> clips_of(const Placed& placed, const std::vector<std::shared_ptr<const Placed>>& all,
+                                    const Piece& piece);
 
   /// The options for the planned page, whose drawing an enlargement makes coarser.
   RunOptions before_enlarging(RunOptions options) const;
   Flow run_steps(PathSink& sink, const RunOptions& options) const;
+  Areas areas_of(const RunOptions& options) const;
 
   std::shared_ptr<Sheet> sheet_;
   Page page_;  ///< as planned
   std::optional<Enlargement> enlargement_;
   std::shared_ptr<const std::vector<Step>> steps_;
+  std::shared_ptr<const std::vector<Step>> hiding_;  ///< the layers that hide others, each whole
   bool seed_in_values_ = false;
 };
 

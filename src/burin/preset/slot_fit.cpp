@@ -111,7 +111,9 @@ class SlotContent {
     Mapped mapped(sink, map);
     bool overflowed = false;
     const LayerPart part = whole_layer(layer);
-    const Flow flow = LayerRun(layer, part).draw(setting_of(frame_, *copy, context), context, mapped, &overflowed);
+    passes::Regions::Item item = 0;
+    const Flow flow =
+        LayerRun(layer, part).draw(setting_of(frame_, *copy, context), context, mapped, item, &overflowed);
     if (overflowed) problem_ = too_many_to_remember(layer);
     if (overflowed || flow == Flow::stop || !sink.finite()) return std::nullopt;
     return sink.box();

@@ -108,6 +108,7 @@ Flow Placing::visit(const Frame& frame) {
   // Spaced on the page, and before figures and pens are chosen: all pens see the same places.
   if (distinct_ && !distinct_->take(mm_per_unit_ * (setting_.origin + frame.point))) return Flow::go;
   if (apart_ && !apart_->take(mm_per_unit_ * (setting_.origin + point))) return Flow::go;
+  if (item_ != nullptr) ++*item_;
   const Figure* figure = figures_[spec_.use.pick(values)].get();
   if (figure == nullptr) return Flow::go;
   if (filter_.pens != nullptr && filter_.pens->pick(values) != filter_.pen) return Flow::go;

@@ -31,6 +31,9 @@ class Placing final : public PathSink {
   Placing(PathSink& next, const PlacingSpec& spec, const Figures& figures, const Setting& setting,
           const PenFilter& filter);
 
+  /// `item` is counted up at each place, also where another pen or no figure is its turn.
+  void count_items(std::uint64_t& item) { item_ = &item; }
+
   /// Call before each level that is drawn. `retained_every`: see curves::Family.
   void begin_level(std::uint64_t retained_every);
 
@@ -63,6 +66,7 @@ class Placing final : public PathSink {
   std::optional<Spacing> distinct_;
   std::optional<Spacing> apart_;
 
+  std::uint64_t* item_ = nullptr;
   PathHead head_{};
   PathPlace place_{};
   std::uint64_t next_path_ = 0;

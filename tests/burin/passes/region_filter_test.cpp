@@ -240,7 +240,8 @@ Recording occluded(const std::vector<DrawnPath>& paths, Keep keep) {
   {
     Regions::Item item = 0;
     RegionRecorder recorder(regions, item);
-    ItemCounter counter(recorder, item);
+    ClosedPaths areas(recorder, Paint::fill_nonzero);
+    ItemCounter counter(areas, item);
     EXPECT_EQ(test::draw(paths, counter), Flow::go);
   }
   regions.build_index();
@@ -275,7 +276,8 @@ TEST(Occlusion, AFigureIsOneItemAndDoesNotHideItsOwnVeins) {
   Regions regions;
   Regions::Item item = 0;
   RegionRecorder masks(regions, item);
-  ItemCounter first_run(masks, item);
+  ClosedPaths areas(masks, Paint::fill_nonzero);
+  ItemCounter first_run(areas, item);
   draw_two(first_run);
   regions.build_index();
   EXPECT_EQ(regions.size(), 2U);
