@@ -9,9 +9,11 @@
 
 #include <fmt/format.h>
 
+#include <burin/preset/nested_piece.hpp>
 #include <burin/primitives/library.hpp>
 #include <cli/file_io.hpp>
 #include <cli/personal_folder.hpp>
+#include <cli/preset_library.hpp>
 
 namespace burin::cli {
 
@@ -86,9 +88,16 @@ namespace {
 
 /// Where the file lies that a preset of this folder calls `name`.
 std::string path_of(const std::string& folder, std::string_view name) {
-  constexpr std::string_view own = primitives::personal_prefix;
-  if (name.substr(0, own.size()) != own) return (std::filesystem::path(folder) / name).string();
-  return (std::filesystem::path(personal_folder("primitives").value_or("")) / name.substr(own.size())).string();
+  constexpr std::string_view own_figures = primitives::personal_prefix;
+  constexpr std::string_view library = preset::library_prefix;
+  if (name.starts_with(own_figures)) {
+    const std::filesystem::path own = personal_folder("primitives").value_or("");
+    return (own / name.substr(own_figures.size())).string();
+  }
+  if (name.starts_with(library)) {
+    return library_file(name.substr(library.size())).value_or(std::string(name));
+  }
+  return (std::filesystem::path(folder) / name).string();
 }
 
 }  // namespace

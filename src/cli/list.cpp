@@ -146,8 +146,9 @@ ExitCode run(const Arguments& arguments, const Console& console) {
 
 Command list_command() {
   return {"list",
-          "list presets, families, motifs, primitives, formats, colors or palettes",
-          "[presets|families|motifs|primitives|formats|colors|palettes]",
+          "list presets, families, motifs, figures, formats ...",
+          "[WHAT]",
+          "WHAT is presets (as without it), families, motifs, primitives, formats, colors or palettes.\n\n"
           "Presets are looked up in the folders of $BURIN_PATH, in $XDG_DATA_HOME/burin/presets, and among those that "
           "came with burin; primitives, which are figures to be placed, in $XDG_DATA_HOME/burin/primitives.",
           {},

@@ -50,11 +50,7 @@ bool is_file(const std::string& path) {
 }
 
 std::optional<std::string> find_in_library(std::string_view name) {
-  for (const std::string& folder : library_folders()) {
-    std::string path = fmt::format("{}/{}{}", folder, name, suffix);
-    if (is_file(path)) return path;
-  }
-  return std::nullopt;
+  return library_file(fmt::format("{}{}", name, suffix));
 }
 
 Result<PresetText> read_preset_file(const std::string& path) {
@@ -76,6 +72,14 @@ Problem not_found(const std::string& name) {
 }
 
 }  // namespace
+
+std::optional<std::string> library_file(std::string_view name) {
+  for (const std::string& folder : library_folders()) {
+    std::string path = fmt::format("{}/{}", folder, name);
+    if (is_file(path)) return path;
+  }
+  return std::nullopt;
+}
 
 bool is_preset_path(std::string_view word) {
   return word == "-" || word.find('/') != std::string_view::npos ||

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ Problems with_source(Problems problems, const PresetText& preset);
 /// Every preset of the library by name; where a name occurs twice, the folder searched first wins.
 std::vector<ShippedPreset> library_presets();
 bool is_library_preset(std::string_view name);
+
+/// A file of the library by its name within: "koch.toml", "data/face.png".
+std::optional<std::string> library_file(std::string_view name);
 
 /// Where names are looked up, in order: the folders of $BURIN_PATH, $XDG_DATA_HOME/burin/presets (or
 /// ~/.local/share/...), share/burin/presets beside the tool's bin folder.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <burin/base/suggest.hpp>
+#include <burin/expr/expression.hpp>
 #include <burin/preset/piece_values.hpp>
 #include <burin/primitives/picture.hpp>
 #include <cli/command.hpp>
@@ -42,14 +43,16 @@ Problem problem(std::string message) {
 Result<std::vector<Primitive>> chosen_figures(const std::vector<std::string>& words) {
   std::vector<Primitive> library;
   Problems problems;
+  Problems broken;  // figures of the library, which matter when they are asked for
   for (const LibraryFigure& row : library_figures()) {
     Result<Primitive> figure = read_figure(row.name);
     if (figure) {
       library.push_back(*std::move(figure));
     } else {
-      problems.insert(problems.end(), figure.problems().begin(), figure.problems().end());
+      broken.insert(broken.end(), figure.problems().begin(), figure.problems().end());
     }
   }
+  if (words.empty() && !broken.empty()) return broken;
   std::stable_sort(library.begin(), library.end(),
                    [](const Primitive& a, const Primitive& b) { return a.family < b.family; });
   std::vector<Primitive> chosen;
@@ -76,7 +79,11 @@ Result<SheetStyle> style_of(const Arguments& arguments) {
   preset::PageSize size;
   if (const std::optional<std::string> text = arguments.value("page")) {
     Problems problems;
-    params::ReadContext context{.problems = problems, .evaluate = {}, .defined = {}, .read_file = {}};
+    params::ReadContext context{
+        .problems = problems,
+        .evaluate = [](std::string_view number, const Where& at) { return expr::evaluate_constant(number, at); },
+        .defined = {},
+        .read_file = {}};
     const Where where{fmt::format("--page {}", *text)};
     if (!params::ValueType<preset::PageSize>::read({where, *text}, size, context)) return problems;
   }
@@ -90,7 +97,9 @@ ExitCode draw_sheet(const std::vector<Primitive>& figures, const SheetStyle& sty
                     const Console& console) {
   const SheetLayout layout = lay_out(figures.size(), {largest_cell_mm, largest_cell_mm}, style);
   const double cell_mm = largest_cell_mm * std::min(layout.grid.scale, 1.0);
-  if (!(cell_mm > 0.0)) return console.fail({problem("the page has no room for them; choose a larger --page")});
+  if (!(cell_mm > 0.0)) {
+    return console.fail_usage({problem("the page has no room for them; choose a larger --page")}, "burin primitives");
+  }
   std::vector<primitives::FigurePicture> pictures;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < figures.size(); ++i) {

@@ -227,8 +227,8 @@ ExitCode run(const Arguments& arguments, const Console& console) {
 Command show_command() {
   return {
       "show",
-      "show a preset, a curve family, a motif, a figure, or a table's keys",
-      "NAME [--text | -D NAME=VALUE... | --motif [-o FILE] | --primitive [-o FILE]]",
+      "show a preset, family, motif, figure or table",
+      "NAME [--text | -D NAME=VALUE | --motif|--primitive [-o FILE]]",
       "NAME is a preset (a name or a file), a curve family ('burin list families'), a motif ('burin list motifs'), "
       "a figure ('burin list primitives') or a table of the preset format: about, page, knob, pen, slot, layer. Where "
       "several have the name it is the first of these.\n\n"

@@ -33,7 +33,7 @@ TEST(Primitives, EveryFigureIsListedAndShown) {
   }
   const Finished shown = burin_in(folder, {"show", "leaf"});
   EXPECT_EQ(shown.code, 0) << shown.err;
-  for (const char* part : {"leaf: Leaf\n", "family: leaves\n", "licence: CC0-1.0\n", "closed line", "1.000 high"}) {
+  for (const char* part : {"leaf: Leaf\n", "family: leaves\n", "licence: CC0-1.0\n", "closed line", "1 high"}) {
     EXPECT_TRUE(contains(shown.out, part)) << part << '\n' << shown.out;
   }
 }
@@ -81,7 +81,7 @@ TEST(Primitives, MistakesAreNamed) {
       {{"primitives", "leav", "--sheet", "x.svg"}, 3, "did you mean 'leaf'?"},
       {{"primitives", "leaf", "--sheet", "x.csv"}, 2, "csv holds a curve's own points"},
       {{"primitives", "leaf", "--sheet", "x.svg", "--page", "a99"}, 2, "a99"},
-      {{"primitives", "leaf", "--sheet", "x.svg", "--page", "20x20mm"}, 3, "no room"},
+      {{"primitives", "leaf", "--sheet", "x.svg", "--page", "20x20mm"}, 2, "no room"},
       {{"primitives", "gone.svg", "--sheet", "x.svg"}, 3, "gone.svg"},
       {{"show", "mine"}, 3, "mine.svg:2:2: error: <text>: text is not drawn"},
       {{"show", "leaf", "--motif"}, 2, "no motif is called 'leaf'"},

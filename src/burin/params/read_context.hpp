@@ -45,6 +45,9 @@ struct ReadContext {
   /// What captions may quote.
   std::vector<Placeholder> placeholders{};
 
+  /// How many presets this one is drawn within.
+  int nesting = 0;
+
   void report(const Where& where, std::string message) { problems.push_back({where, std::move(message)}); }
 };
 

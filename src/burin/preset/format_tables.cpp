@@ -3,6 +3,7 @@
 #include <burin/preset/images.hpp>
 #include <burin/preset/knobs.hpp>
 #include <burin/preset/load.hpp>
+#include <burin/preset/nested_piece.hpp>
 #include <burin/preset/piece_values.hpp>
 #include <burin/primitives/figure_spec.hpp>
 
@@ -19,10 +20,12 @@ std::vector<FormatTable> format_tables() {
       {"slot", "a rectangle of the page with one fit for the layers in it", params::field_infos<SlotSpec>()},
       {"layer",
        "something drawn with a pen in a slot: a 'curve' (a define's name or a table with 'family'), a 'text' (what is "
-       "written or a table with 'text'), an 'svg' (a file or a table with 'file') or a 'shape' (a kind or a table)",
+       "written or a table with 'text'), an 'svg' (a file or a table with 'file'), a 'shape' (a kind or a table) or a "
+       "'piece' (a preset or a table with 'file')",
        params::field_infos<LayerStyle>()},
       {"primitives", "figures along a layer's curve, in place of its line",
        params::field_infos<primitives::PlacingSpec>()},
+      {"piece", "another preset as a layer's source, written as a table", params::field_infos<NestedPieceSpec>()},
       {"clip", "a plain shape in place of a layer's name, for 'clip' and 'outside' of a layer",
        params::field_infos<ClipTable>()},
       {"base", "what a curve refines, written as a table", curves::base_fields()},

@@ -6,6 +6,7 @@
 
 #include <burin/base/math.hpp>
 #include <burin/data/image.hpp>
+#include <burin/data/jpeg.hpp>
 #include <burin/preset/images.hpp>
 #include <burin/primitives/position.hpp>
 
@@ -86,7 +87,8 @@ std::shared_ptr<const GreyImage> read_image(const Value& value, const ImageSpec&
     report(bytes.problems());
     return nullptr;
   }
-  const Result<data::Image> image = data::read_png(*bytes, spec.file);
+  const bool is_jpeg = bytes->starts_with("\xFF\xD8");
+  const Result<data::Image> image = is_jpeg ? data::read_jpeg(*bytes, spec.file) : data::read_png(*bytes, spec.file);
   if (!image) {
     report(image.problems());
     return nullptr;

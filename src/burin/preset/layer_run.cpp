@@ -172,13 +172,12 @@ Forecast LayerRun::forecast(const primitives::Setting& setting, const DrawContex
     all_alike = all_alike && (largest == 0.0 || largest == points);
     largest = std::max(largest, points);
   }
-  const bool by_length = placing_->every.length_mm > 0.0;
+  const bool by_turns = placing_->every.length_mm > 0.0 || placing_->every.count > 1;
   const double asked = curve.asked_points / static_cast<double>(placing_->every.count) * largest;
   if (curve.points > most_points_counted) return {curve.points * largest, asked, false};
-  if (by_length || asked > enough) return count_figures(setting, context, asked, enough);
+  if (by_turns || asked > enough) return count_figures(setting, context, asked, enough);
   const bool exact = curve.exact && all_alike && !part_.pen && primitives::fills_every_place(*placing_) &&
-                     placing_->at == primitives::PlaceAt::points && placing_->every.count == 1 &&
-                     placing_->mode == primitives::PlaceMode::all;
+                     placing_->at == primitives::PlaceAt::points && placing_->mode == primitives::PlaceMode::all;
   return {asked, asked, exact};
 }
 

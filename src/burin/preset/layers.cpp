@@ -10,9 +10,10 @@
 #include <burin/curves/svg/svg.hpp>
 #include <burin/preset/layer_facts.hpp>
 #include <burin/preset/layers.hpp>
+#include <burin/preset/nested_piece.hpp>
 #include <burin/preset/pen_gradient.hpp>
 #include <burin/preset/piece_values.hpp>
-#include <burin/primitives/library.hpp>
+#include <burin/primitives/figure_spec.hpp>
 
 namespace burin::preset {
 
@@ -47,7 +48,8 @@ std::string implied_name(const Value& layer) {
     const auto source = std::find_if(short_sources.begin(), short_sources.end(), [&](const ShortSource& s) {
       return layer.table() != nullptr && layer.table()->find(s.key) != nullptr;
     });
-    return source == short_sources.end() ? "layer" : std::string(source->key);
+    if (source != short_sources.end()) return std::string(source->key);
+    return layer.table() != nullptr && layer.table()->find("piece") != nullptr ? "piece" : "layer";
   }
   if (curve->text() != nullptr) return *curve->text();
   for (const char* key : {"like", "family"}) {
@@ -87,13 +89,14 @@ class LayerReader {
     }
   }
 
-  Layer read(const Value& value, const std::string& name) {
+  /// One layer, or those of the preset that it draws.
+  std::vector<Layer> read(const Value& value, const std::string& name) {
     Layer layer;
     layer.where = value.where;
     const Table* table = value.table();
     if (table == nullptr) {
       params::report_kind(value, "a table: [[layer]]", context_);
-      return layer;
+      return {};
     }
     // Images lie over the layer's own slot.
     const std::string* slot = text_of(table, "slot");
@@ -105,10 +108,11 @@ class LayerReader {
     read_source(*table, layer, name);
     settle_pens(layer);
     if (const Value* placing = table->find("primitives")) settle_primitives(*placing, layer);
-    return layer;
+    if (const Value* piece = table->find("piece")) return read_piece(*piece, *table, layer);
+    return {std::move(layer)};
   }
 
-  /// The pens of gradients.
+  /// The pens of gradients and of other presets.
   const std::vector<NamedPen>& made_pens() const { return made_pens_; }
 
  private:
@@ -183,13 +187,8 @@ class LayerReader {
   }
 
   std::shared_ptr<const Figure> read_figure(const std::string& name, const Where& where) {
-    Result<primitives::Primitive> found = primitives::find_primitive(name, context_.read_file);
-    if (found) return found->figure;
-    for (Problem problem : found.problems()) {
-      if (problem.where.file.empty()) problem.where = where;
-      context_.problems.push_back(std::move(problem));
-    }
-    return nullptr;
+    const std::optional<primitives::Primitive> found = primitives::read_figure(name, where, context_);
+    return found ? found->figure : nullptr;
   }
 
   void check_style(const Table& table, const LayerStyle& style, const Where& where) {
@@ -263,7 +262,7 @@ class LayerReader {
   }
 
   static std::vector<std::string_view> source_keys() {
-    std::vector<std::string_view> keys{"curve"};
+    std::vector<std::string_view> keys{"curve", "piece"};
     for (const ShortSource& source : short_sources) keys.push_back(source.key);
     return keys;
   }
@@ -275,20 +274,31 @@ class LayerReader {
       if (table.find(key) != nullptr) given.push_back(key);
     }
     if (given.empty()) {
-      context_.report(layer.where,
-                      fmt::format("layer '{}' draws nothing; give it a 'curve', 'text', 'svg' or 'shape'", name));
+      context_.report(
+          layer.where,
+          fmt::format("layer '{}' draws nothing; give it a 'curve', 'text', 'svg', 'shape' or 'piece'", name));
     } else if (given.size() > 1) {
       context_.report(
           table.find(given[1])->where,
           fmt::format("layer '{}' has a '{}' and a '{}'; give each its own layer", name, given[0], given[1]));
     } else if (given[0] == "curve") {
       read_curve(*table.find("curve"), layer);
-    } else {
+    } else if (given[0] != "piece") {
       const auto source = std::find_if(short_sources.begin(), short_sources.end(),
                                        [&](const ShortSource& s) { return s.key == given[0]; });
       read_short_source(*table.find(source->key), *source, layer);
     }
     check_own_paint(table, layer);
+  }
+
+  std::vector<Layer> read_piece(const Value& value, const Table& table, const Layer& layer) {
+    std::vector<NamedPen> pens = piece_.pens;
+    pens.insert(pens.end(), made_pens_.begin(), made_pens_.end());
+    const bool keeps_pen = table.find("pen") != nullptr;
+    std::optional<NestedLayers> nested = read_nested_piece(value, layer, keeps_pen, pens, context_);
+    if (!nested) return {};
+    made_pens_.insert(made_pens_.end(), nested->pens.begin(), nested->pens.end());
+    return std::move(nested->layers);
   }
 
   /// `text = "..."` and `text = { text = "...", ... }` are short for a curve of the family of that name.
@@ -452,7 +462,9 @@ void read_layers(const Table& root, const std::vector<std::string>& names, const
   report_repeated_names(*array, context);
   const Value* defines = root.find("define");
   LayerReader reader(piece, images, defines == nullptr ? nullptr : defines->table(), *array, names, context);
-  for (std::size_t i = 0; i < array->size(); ++i) piece.layers.push_back(reader.read((*array)[i], names[i]));
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    for (Layer& layer : reader.read((*array)[i], names[i])) piece.layers.push_back(std::move(layer));
+  }
   piece.pens.insert(piece.pens.end(), reader.made_pens().begin(), reader.made_pens().end());
 }
 

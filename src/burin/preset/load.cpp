@@ -143,6 +143,7 @@ Piece read_piece(Reading& reading, const Overrides& overrides, const ReadFile& r
   check_top_level(root, findings);
   check_defines(root, findings);
   ReadContext context = reading.context(read_file);
+  context.nesting = overrides.nesting;
   Piece piece;
   piece.seed = read_seed(root, overrides, findings);
   const SetKnobs set = set_knobs(reading, piece.seed, overrides, context);

@@ -23,6 +23,7 @@ struct Overrides {
   bool landscape = false;
   std::optional<std::string> margin;
   std::optional<std::string> enlarge;  ///< a page to scale the finished sheet onto, pens and all
+  int nesting = 0;                     ///< how many presets this one is drawn within
 };
 
 /// A preset as text, with the name it goes by in messages.

@@ -134,28 +134,38 @@ double scale_of(const std::vector<Copy>& copies) {
 }
 
 /// Finds the scale at which curves and figures fill the slot. What they take up grows almost linearly with the scale:
-/// some figures' sizes grow along, others stay.
+/// some figures' sizes grow along, others stay. Where it jumps, since figures come and go, the largest scale that was
+/// seen to fit is taken.
 Result<std::vector<Copy>> lay_out_figures(const SlotSpec& slot, SlotContent& content, std::vector<Copy> copies) {
-  constexpr int most_steps = 12;
+  constexpr int most_steps = 16;
   constexpr double close_enough = 1e-7;
   double scale_before = 0.0;
   double filled_before = 0.0;
+  std::vector<Copy> best;
+  const auto pinned_to = [&](double scale, const std::vector<Copy>& measured) {
+    SlotSpec pinned = slot;
+    pinned.scale = params::Length{scale};
+    return content.lay_out(pinned, &measured);
+  };
   for (int step = 1;; ++step) {
     Result<std::vector<Copy>> fitted = content.lay_out(slot, &copies);
     if (!fitted || slot.scale) return fitted;
     const double scale = scale_of(copies);
     const double filled = scale / scale_of(*fitted);  // 1: just fits
-    if (std::abs(filled - 1.0) <= close_enough || step == most_steps) return fitted;
+    if (std::abs(filled - 1.0) <= close_enough) return fitted;
+    if (filled < 1.0 && (best.empty() || scale > scale_of(best))) best = copies;
+    if (step >= most_steps && !best.empty()) return pinned_to(scale_of(best), best);
+    if (step >= 2 * most_steps) return fitted;
     double next = scale_of(*fitted);
-    if (step > 1 && filled != filled_before) {
+    if (step >= most_steps) {
+      next = 0.98 * scale;
+    } else if (step > 1 && filled != filled_before) {
       const double secant = scale + (1.0 - filled) * (scale - scale_before) / (filled - filled_before);
       if (secant > 0.1 * next && secant < 10.0 * next) next = secant;
     }
     scale_before = scale;
     filled_before = filled;
-    SlotSpec pinned = slot;
-    pinned.scale = params::Length{next};
-    Result<std::vector<Copy>> moved = content.lay_out(pinned, &copies);
+    Result<std::vector<Copy>> moved = pinned_to(next, copies);
     if (!moved) return moved;
     copies = *std::move(moved);
   }

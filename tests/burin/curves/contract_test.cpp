@@ -194,7 +194,7 @@ bool is_subset(const std::vector<Vec2>& points, const std::vector<Vec2>& full) {
 TEST(FamilyContract, AViewGivesASubsetOfTheFullRun) {
   for (const Family& family : catalogue()) {
     for (const std::string& text : cases_of(family.name)) {
-      const testing::ReadParams read = testing::read_params(family.name, text);
+      const testing::ReadParams read = testing::read_params(family.name, text, drawing_file);
       const std::vector<Vec2> full = testing::record(family.name, *read.params).all_points();
       for (std::uint64_t trial = 0; trial < 12; ++trial) {
         DrawContext context;

@@ -166,7 +166,7 @@ TEST(TwoPoint, ALevelKeepsTheVerticesOfTheOneBeforeBitForBit) {
 
 TEST(TwoPoint, RetainedPointsAreEveryKthOfTheirPath) {
   const curves::Family& family = *find_family("two-point");
-  const auto every = [&](const std::string& json) { return family.retained_every(two_point(json)); };
+  const auto every = [&](const std::string& text) { return family.retained_every(two_point(text)); };
   EXPECT_EQ(every(R"({"motif": "koch", "levels": 5})"), 4U);
   EXPECT_EQ(every(R"({"motif": "dragon", "levels": 1})"), 2U);
   EXPECT_EQ(every(R"({"motif": "koch", "levels": 0})"), 0U);  // all of S_0 is new

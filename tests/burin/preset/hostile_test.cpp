@@ -36,7 +36,8 @@ TEST(Hostile, DeepBracketsAreRefused) {
   EXPECT_EQ(complaints("x = {a.a.a = " + repeated("{a.a.a = ", 40) + "1" + repeated("}", 41)),
             "p.toml:1:203: error: tables and lists more than 64 deep\n");
   EXPECT_EQ(complaints_in("[x" + repeated(".a", 60) + "]\ny = " + repeated("{a = ", 60) + "1.5" + repeated("}", 60)),
-            "p.toml:2:2: error: unknown key 'x' in the preset; known: burin, seed, about, page, knobs, pens, define, "
+            "p.toml:2:2: error: unknown key 'x' in the preset; known: burin, seed, about, page, knobs, palette, pens, "
+            "images, define, "
             "slots, layer\n");
 }
 

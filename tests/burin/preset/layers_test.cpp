@@ -83,8 +83,9 @@ TEST(Layer, ReportsBandsThatAreNone) {
 }
 
 TEST(Layer, ReportsAStyleThatDrawsNothing) {
-  EXPECT_EQ(style_complaint("stroke = 'none'"),
-            "p.toml:6:11: error: without stroke and 'fill' the layer draws nothing\n");
+  EXPECT_EQ(
+      style_complaint("stroke = 'none'"),
+      "p.toml:6:11: error: without stroke and 'fill' the layer draws nothing, and it neither hides nor clips others\n");
   EXPECT_EQ(style_complaint("stroke = 'red'"),
             "p.toml:6:11: error: 'stroke' is \"none\" or left out, not 'red'; the pen is chosen by 'pen'\n");
   EXPECT_EQ(style_complaint("dashes = [0, '0mm']"),
@@ -98,7 +99,8 @@ TEST(Layer, ReportsAStyleThatDrawsNothing) {
             "p.toml:8:8: error: no pen 'blue'; known: ink, red\n");
   EXPECT_EQ(style_complaint("form = 'sphere'\nmitre = 3"),
             "p.toml:6:1: error: unknown key 'form' in layer 'two-point'; known: name, slot, pen, fill, rule, stroke, "
-            "caps, joins, miter, dashes, opacity, seed, primitives, curve, text\n"
+            "caps, joins, miter, dashes, opacity, seed, primitives, hide, hidden, clip, outside, curve, piece, text, "
+            "svg, shape\n"
             "p.toml:7:1: error: unknown key 'mitre' in layer 'two-point'; did you mean 'miter'?\n");
 }
 
@@ -116,7 +118,8 @@ TEST(Layer, NeedsACurve) {
     return complaints("burin = 1\ndefine.bud = { points = [[0, 0], [1, 0]] }\ndefine.n = 3\n[[layer]]\n" +
                       std::string(curve) + "\n");
   };
-  EXPECT_EQ(complaint(""), "p.toml:4:1: error: layer 'layer' draws nothing; give it a 'curve', 'text', 'svg' or 'shape'\n");
+  EXPECT_EQ(complaint(""),
+            "p.toml:4:1: error: layer 'layer' draws nothing; give it a 'curve', 'text', 'svg', 'shape' or 'piece'\n");
   EXPECT_EQ(complaint("curve = 3"),
             "p.toml:5:9: error: expected the name of a define or a table with 'family', found a whole number\n");
   EXPECT_EQ(complaint("curve = { levels = 3 }"),

@@ -199,7 +199,7 @@ TEST(Masks, ModelUnitsHaveTheWholeCurves) {
 
 TEST(Masks, MistakesTeach) {
   EXPECT_EQ(complaint(layer("row", row, false, "clip = \"bix\"") + layer("box", box, true)),
-            "p.toml:12:8: error: no layer 'bix'; did you mean 'box'? A plain shape is a table: { shape = \"disc\", r = "
+            "p.toml:12:9: error: no layer 'bix'; did you mean 'box'? A plain shape is a table: { shape = \"disc\", r = "
             "\"70mm\" }");
   EXPECT_NE(complaint(layer("row", row, false, "clip = \"row\"")).find("cannot be clipped by itself"),
             std::string::npos);

@@ -68,7 +68,7 @@ TEST(Palettes, AreTurnedByKnobsAndOverrides) {
 }
 
 TEST(Palettes, UnknownOnesAreReported) {
-  EXPECT_EQ(complaints_in("palette = 'dsuk'"), "p.toml:2:11: error: no palette 'dsuk'; did you mean 'dusk'?\n");
+  EXPECT_EQ(complaints_in("palette = 'dsuk'"), "p.toml:2:12: error: no palette 'dsuk'; did you mean 'dusk'?\n");
 }
 
 }  // namespace

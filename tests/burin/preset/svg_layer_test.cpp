@@ -78,7 +78,7 @@ TEST(SvgLayer, Parts) {
 }
 
 TEST(SvgLayer, WhatIsWrongIsTold) {
-  EXPECT_NE(complaint("svg = \"gone.svg\"").find("p.toml:9:7: error: 'file': 'gone.svg' cannot be read"),
+  EXPECT_NE(complaint("svg = \"gone.svg\"").find("p.toml:9:8: error: 'file': 'gone.svg' cannot be read"),
             std::string::npos)
       << complaint("svg = \"gone.svg\"");
   EXPECT_NE(complaint("svg = \"text.svg\"").find("text.svg:2:2: error: <text>: text is not drawn"), std::string::npos)

@@ -51,7 +51,7 @@ TEST(TextLayer, HasOneSource) {
             "p.toml:6:8: error: expected what is written, or a table with 'text', found a whole number\n");
   EXPECT_EQ(text_complaint("text = {}"), "p.toml:6:8: error: a text needs 'text': what is written\n");
   EXPECT_EQ(text_complaint("text = { text = 'a', family = 'two-point' }"),
-            "p.toml:6:32: error: a text has no other family; draw curves by 'curve'\n");
+            "p.toml:6:32: error: 'text' has no other family; draw curves by 'curve'\n");
   EXPECT_EQ(text_complaint("text = { text = 'a', size = 4 }"),
             "p.toml:6:22: error: unknown key 'size' in curve; known: text, font, align, line_height, tracking, slant, "
             "family\n");
