@@ -77,7 +77,7 @@ std::string section(const GalleryEntry& entry) {
   std::string text = fmt::format("<a id=\"{}\"></a>\n\n## {}\n\n", entry.name, markdown_text(title_of(entry)));
   if (!entry.summary.about.summary.empty()) text += markdown_text(entry.summary.about.summary) + "\n\n";
   text += fmt::format("[![{0}]({1}.png)]({1}.svg)\n\n", markdown_text(title_of(entry)), entry.name);
-  text += fmt::format("    burin draw {0} --paper -o {0}.svg\n\n", entry.name);
+  text += fmt::format("    burin draw {0} --paper --defs -o {0}.svg\n\n", entry.name);
   return text + facts(entry) + '\n' + knobs_table(entry.summary.knobs);
 }
 

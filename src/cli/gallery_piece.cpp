@@ -37,6 +37,7 @@ Result<GalleryPiece> draw_for_gallery(const ShippedPreset& shipped, bool with_pn
 
   DrawRequest as_svg;
   as_svg.paper = true;
+  as_svg.defs = true;
   DrawRequest as_png;
   as_png.longer_side_px = thumbnail_px;
   Result<std::string> svg = drawn(*piece, as_svg, "svg");

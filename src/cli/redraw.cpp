@@ -70,7 +70,12 @@ class RecordedData {
 std::vector<std::string> data_folders(const Arguments& arguments, const std::string& file) {
   if (const std::optional<std::string> folder = arguments.value("data-folder")) return {*folder};
   const std::string beside = std::filesystem::path(file).parent_path().string();
-  return beside.empty() ? std::vector<std::string>{""} : std::vector<std::string>{beside, ""};
+  std::vector<std::string> folders{beside};
+  if (!beside.empty()) folders.emplace_back();
+  // The pieces of the library have their data there.
+  const std::vector<std::string> library = library_folders();
+  folders.insert(folders.end(), library.begin(), library.end());
+  return folders;
 }
 
 /// What may make the drawing differ from the file.

@@ -47,7 +47,7 @@ class SmallGallery : public testing::Test {
 TEST_F(SmallGallery, HoldsWhatItsCommandsDraw) {
   for (const std::string name : {"a-1", "b"}) {
     const std::string preset = "presets/" + name + ".toml";
-    ASSERT_EQ(burin_in(folder_, {"draw", preset, "-q", "--paper", "-o", "c.svg"}).code, 0);
+    ASSERT_EQ(burin_in(folder_, {"draw", preset, "-q", "--paper", "--defs", "-o", "c.svg"}).code, 0);
     EXPECT_TRUE(folder_.read("gallery/" + name + ".svg") == folder_.read("c.svg"));
     ASSERT_EQ(burin_in(folder_, {"draw", preset, "-q", "--size", "480px", "-o", "c.png"}).code, 0);
     EXPECT_TRUE(folder_.read("gallery/" + name + ".png") == folder_.read("c.png"));
@@ -60,10 +60,10 @@ TEST_F(SmallGallery, PageTellsOfEveryPieceInOrder) {
   const std::string page = folder_.read("gallery/README.md");
   const std::string first =
       "<a id=\"a-1\"></a>\n\n## A\\|\\<1\\>\n\n\\*Stars\\* \\& \\`code\\`\n\n[![A\\|\\<1\\>](a-1.png)](a-1.svg)\n\n"
-      "    burin draw a-1 --paper -o a-1.svg\n\n"
+      "    burin draw a-1 --paper --defs -o a-1.svg\n\n"
       "60 × 90 mm, seed 7, preset [a-1.toml](../presets/a-1.toml).\n\nIt has no knobs.\n";
   const std::string second =
-      "<a id=\"b\"></a>\n\n## Test curve\n\n[![Test curve](b.png)](b.svg)\n\n    burin draw b --paper -o b.svg\n\n"
+      "<a id=\"b\"></a>\n\n## Test curve\n\n[![Test curve](b.png)](b.svg)\n\n    burin draw b --paper --defs -o b.svg\n\n"
       "210 × 297 mm, seed 1 (nothing in it is random), preset [b.toml](../presets/b.toml).\n\n"
       "| knob | what it does | takes | default |\n|---|---|---|---|\n"
       "| `levels` | refinement levels | whole number in \\[0, 1000\\] | `3` |\n";
