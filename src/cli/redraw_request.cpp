@@ -19,7 +19,8 @@ namespace {
 using Options = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::array own_rows{
-    OptionRow{"data-folder", 0, "FOLDER", "read data files here, not beside FILE, in the current folder or the library"},
+    OptionRow{"data-folder", 0, "FOLDER",
+              "read data files here, not beside FILE, in the current folder or the library"},
     OptionRow{"text", 0, "", "print the preset that FILE was drawn from, and draw nothing"},
 };
 

@@ -15,9 +15,8 @@ namespace burin::curves {
 
 std::span<const Family> catalogue() {
   static const std::array<Family, 9> families{
-      two_point_family(), de_rham_family(),           four_point_family(), four_parameter_family(),
-      line_art_family(),  line_art_boundary_family(), text_family(),       svg_family(),
-      shape_family(),
+      two_point_family(),         de_rham_family(), four_point_family(), four_parameter_family(), line_art_family(),
+      line_art_boundary_family(), text_family(),    svg_family(),        shape_family(),
   };
   return families;
 }
