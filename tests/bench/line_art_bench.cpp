@@ -8,8 +8,8 @@
 #include "bench/costs.hpp"
 #include "support/temporary_folder.hpp"
 
-/// What 100,000 random polylines of 20 points cost the whole tool, ours and Cairo's in turns: only ratios of one run are
-/// held to bars.
+/// What 100,000 random polylines of 20 points cost the whole tool, ours and Cairo's in turns: only ratios of one run
+/// are held to bars.
 namespace burin::test {
 namespace {
 

@@ -63,7 +63,8 @@ TEST_F(SmallGallery, PageTellsOfEveryPieceInOrder) {
       "    burin draw a-1 --paper --defs -o a-1.svg\n\n"
       "60 × 90 mm, seed 7, preset [a-1.toml](../presets/a-1.toml).\n\nIt has no knobs.\n";
   const std::string second =
-      "<a id=\"b\"></a>\n\n## Test curve\n\n[![Test curve](b.png)](b.svg)\n\n    burin draw b --paper --defs -o b.svg\n\n"
+      "<a id=\"b\"></a>\n\n## Test curve\n\n[![Test curve](b.png)](b.svg)\n\n    burin draw b --paper --defs -o "
+      "b.svg\n\n"
       "210 × 297 mm, seed 1 (nothing in it is random), preset [b.toml](../presets/b.toml).\n\n"
       "| knob | what it does | takes | default |\n|---|---|---|---|\n"
       "| `levels` | refinement levels | whole number in \\[0, 1000\\] | `3` |\n";
