@@ -59,9 +59,5 @@ TEST_F(LineArtBench, PdfCostsASixthOfCairos) {
   compare("pdf", 6.0);
 }
 
-TEST_F(LineArtBench, PngCostsAFifthOfCairos) {
-  compare("png", 5.0);
-}
-
 }  // namespace
 }  // namespace burin::test

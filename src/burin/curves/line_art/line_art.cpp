@@ -17,25 +17,34 @@ namespace line_art {
 namespace {
 
 bool is_seen(const std::vector<Vec2>& stroke, Vec2 origin, const View& view) {
-  if (!view.is_limited()) return true;
   Box2 box;
   for (const Vec2 p : stroke) box.add(p - origin);
   return box.touches(view.box);
+}
+
+/// Whether the view shows every point without a look at them.
+template <class Model>
+bool sees_all(const Model& model, const DrawContext& context) {
+  if (!context.view.is_limited()) return true;
+  if (!model.has_known_counts()) return false;
+  const Box2 reach = model.reach();
+  const Box2& seen = context.view.box;
+  return seen.contains(reach.low - context.origin) && seen.contains(reach.high - context.origin);
 }
 
 /// Calls visit(stroke, kind) for every stroke that the view shows, until it says stop.
 template <class Model, class Visit>
 Flow each_stroke(Model model, const DrawContext& context, const Visit& visit) {
   Strokes strokes(model.composition(), Model::meet, context.seed);
+  const bool all_seen = sees_all(model, context);
   std::vector<Vec2> points;
   const auto lines = static_cast<std::uint64_t>(model.line_count());
   for (std::uint64_t line = 0; line < lines && !strokes.spent(); ++line) {
     if (context.stop.stop_requested()) return Flow::stop;
     model.trace(line, points);
     for (const std::vector<Vec2>& stroke : strokes.of(line, points)) {
-      if (is_seen(stroke, context.origin, context.view) && visit(stroke, strokes.kind()) == Flow::stop) {
-        return Flow::stop;
-      }
+      if (!all_seen && !is_seen(stroke, context.origin, context.view)) continue;
+      if (visit(stroke, strokes.kind()) == Flow::stop) return Flow::stop;
     }
   }
   return Flow::go;
@@ -81,12 +90,8 @@ double points_asked(const Model& model) {
 template <class Model>
 Forecast stroke_forecast(const Model& model, const DrawContext& context, double enough) {
   const double asked = points_asked(model);
-  if (model.has_known_counts() && model.composition().keeps_all()) {
-    const Box2 reach = model.reach();
-    const Box2& seen = context.view.box;
-    const bool all_seen = !context.view.is_limited() ||
-                          (seen.contains(reach.low - context.origin) && seen.contains(reach.high - context.origin));
-    if (all_seen) return {asked, asked, true};
+  if (model.has_known_counts() && model.composition().keeps_all() && sees_all(model, context)) {
+    return {asked, asked, true};
   }
   double points = 0.0;
   const Flow flow = each_stroke(model, context, [&](const std::vector<Vec2>& stroke, std::uint16_t) {
