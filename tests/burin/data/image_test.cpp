@@ -67,7 +67,7 @@ TEST_P(EveryKind, GivesItsColours) {
     ASSERT_EQ(image.rgba.size(), static_cast<std::size_t>(4 * width * height));
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        const auto channel = [&](int c) { return in_8_bits(sample(x, y, c), kind.bits); };
+        const auto channel = [&, bits = kind.bits](int c) { return in_8_bits(sample(x, y, c), bits); };
         const Pixel expected{channel(0), channel(grey ? 0 : 1), channel(grey ? 0 : 2),
                              alpha ? channel(grey ? 1 : 3) : 255};
         ASSERT_EQ(pixel(image, x, y), expected) << x << "," << y << " of " << width << "x" << height;
