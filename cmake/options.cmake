@@ -26,5 +26,5 @@ function(burin_precompile target)
 endfunction()
 if(BURIN_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 forgets that what it precompiled are the system's headers, whose warnings nobody sees otherwise.
-  target_compile_options(burin_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow)
+  target_compile_options(burin_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
 endif()

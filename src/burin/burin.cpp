@@ -25,7 +25,7 @@ Result<Done> write(const preset::Plan& plan, const BackEnd& back_end, ByteSink& 
   if (Result<Done> accepted = back_end.accepts(plan.sheet(), options); !accepted) return accepted;
   preset::RunOptions run;
   run.space = back_end.space;
-  run.tolerance_mm = back_end.tolerance_mm(options);
+  run.tolerance_mm = back_end.tolerance_mm(plan.sheet(), options);
   const Result<Forecast> size = plan.check_size(run, max_points);
   if (!size) return size.problems();
   if (Result<Done> fits = check_memory(back_end, *size, plan.sheet(), options, default_max_memory_bytes); !fits)

@@ -53,7 +53,7 @@ Result<std::vector<OutputJob>> make_jobs(const DrawingFor& drawing_for, const Dr
     if (Result<Done> accepted = job.back_end->accepts(sheet, job.options); !accepted) return accepted.problems();
     const bool every_point = request.all_points || job.back_end->space == Space::model;
     job.run.space = job.back_end->space;
-    job.run.tolerance_mm = every_point ? 0.0 : job.back_end->tolerance_mm(job.options);
+    job.run.tolerance_mm = every_point ? 0.0 : job.back_end->tolerance_mm(sheet, job.options);
     job.run.wanted = [&request](const SheetLayer& layer) {
       return (request.only.empty() || contains(request.only, layer.name)) && !contains(request.skip, layer.name);
     };

@@ -101,7 +101,7 @@ Result<data::Image> black_and_white(const preset::Plan& plan, const preset::RunO
   StringSink bytes;
   const std::unique_ptr<OutputSink> sink = (*png)->open(bytes, sheet, output);
   preset::RunOptions run = options;
-  run.tolerance_mm = (*png)->tolerance_mm(output);
+  run.tolerance_mm = (*png)->tolerance_mm(sheet, output);
   static_cast<void>(preset::run_for(
       *sink, [&](const preset::RunOptions& part) { return plan.run(*sink, part); }, run));
   if (const Result<Done> finished = sink->finish(); !finished) return finished.problems();

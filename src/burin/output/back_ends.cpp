@@ -11,7 +11,7 @@ namespace burin::output {
 
 namespace {
 
-double shows_everything(const OutputOptions&) {
+double shows_everything(const Sheet&, const OutputOptions&) {
   return 0.0;
 }
 

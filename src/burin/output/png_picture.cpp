@@ -10,6 +10,12 @@ PngSize png_size(const Page& page, double dots_per_mm) {
   return {pixels(page.width_mm), pixels(page.height_mm)};
 }
 
+double png_tolerance_mm(const Sheet& sheet, const OutputOptions& options) {
+  double thinnest_pixels = 1.0;
+  for (const Pen& pen : sheet.pens) thinnest_pixels = std::min(thinnest_pixels, pen.width_mm * options.dots_per_mm);
+  return std::max(0.02, 0.08 * thinnest_pixels) / options.dots_per_mm;
+}
+
 bool all_grey(const Sheet& sheet) {
   const auto is_grey = [](Colour c) { return c.red == c.green && c.green == c.blue; };
   return is_grey(sheet.page.paper) &&

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <burin/output/png_chunks.hpp>
+#include <burin/path/back_end.hpp>
 #include <burin/path/colour.hpp>
 
 namespace burin::output {
@@ -34,6 +35,10 @@ struct PngSize {
 
 /// Rounded to the nearest, at least one a side.
 PngSize png_size(const Page& page, double dots_per_mm);
+
+/// How far a line may be drawn from where it is, as a BackEnd states it. Half a pixel would hide the shapes, but a
+/// crinkled line loses ink with them, a thin one most: 0.08 of a pixel, less for pens of less than a pixel.
+double png_tolerance_mm(const Sheet& sheet, const OutputOptions& options);
 
 /// Whether the paper and every pen are.
 bool all_grey(const Sheet& sheet);

@@ -263,7 +263,7 @@ Result<Done> SvgSink::finish() {
 
 }  // namespace
 
-double svg_tolerance_mm(const OutputOptions& options) {
+double svg_tolerance_mm(const Sheet&, const OutputOptions& options) {
   return half_unit_mm(options.decimals);
 }
 

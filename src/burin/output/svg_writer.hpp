@@ -7,7 +7,7 @@
 namespace burin::output {
 
 /// Half a unit of the last decimal.
-double svg_tolerance_mm(const OutputOptions& options);
+double svg_tolerance_mm(const Sheet&, const OutputOptions& options);
 
 /// Looks at `decimals` and at the page's size: above 20 m is refused.
 Result<Done> svg_accepts(const Sheet& sheet, const OutputOptions& options);

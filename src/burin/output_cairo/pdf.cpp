@@ -48,7 +48,7 @@ void set_metadata(cairo_surface_t* surface, const Origin& origin) {
   set(CAIRO_PDF_METADATA_MOD_DATE, fixed_date);
 }
 
-double tolerance_mm(const OutputOptions&) {
+double tolerance_mm(const Sheet&, const OutputOptions&) {
   return 0.5 * mm_per_point / 256.0;
 }
 

@@ -66,11 +66,6 @@ class PngSink final : public PageSink {
   double dots_per_mm_;
 };
 
-/// Half a pixel would hide the shapes, but a crinkled line loses two percent of its ink with them.
-double tolerance_mm(const OutputOptions& options) {
-  return 0.125 / options.dots_per_mm;
-}
-
 Result<Done> accepts(const Sheet& sheet, const OutputOptions& options) {
   const auto [width, height] = output::png_size(sheet.page, options.dots_per_mm);
   if (std::max(width, height) <= most_pixels) return Done{};
@@ -106,7 +101,7 @@ BackEnd png_back_end() {
           .summary = "PNG with soft edges on the paper's colour, drawn by Cairo",
           .space = Space::page,
           .binary = true,
-          .tolerance_mm = tolerance_mm,
+          .tolerance_mm = output::png_tolerance_mm,
           .accepts = accepts,
           .memory_bytes = memory_bytes,
           .open = open};

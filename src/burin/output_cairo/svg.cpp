@@ -44,7 +44,7 @@ class SvgSink final : public PageSink {
   SvgText& text_;
 };
 
-double tolerance_mm(const OutputOptions&) {
+double tolerance_mm(const Sheet&, const OutputOptions&) {
   return 0.5 / 256.0;
 }
 

@@ -52,8 +52,8 @@ struct BackEnd {
   std::string_view summary;
   Space space;
   bool binary;  ///< refused on a terminal
-  /// Half the smallest step of a coordinate that this format can show, in mm; 0: everything shows.
-  double (*tolerance_mm)(const OutputOptions& options);
+  /// How far a line may be drawn from where it is, in mm, as this format cannot show it; 0: everything shows.
+  double (*tolerance_mm)(const Sheet& sheet, const OutputOptions& options);
   /// What is wrong with this page in this format (too many pixels, for example).
   Result<Done> (*accepts)(const Sheet& sheet, const OutputOptions& options);
   /// About how much memory a drawing of so many points holds until it is finished, in bytes.

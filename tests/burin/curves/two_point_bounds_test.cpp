@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -57,6 +58,23 @@ TEST(TwoPointBounds, TheCullingRadiusLiesWithinTheReferencesBounds) {
     const two_point::BlockTables tables = two_point::make_block_tables(*two_point::make_automaton(params.motif, {}));
     EXPECT_GE(tables.reach, generator["disc_lower"].get<double>() - 1e-12) << name;
     EXPECT_LE(tables.reach, generator["disc1"].get<double>() * (1 + 1e-6)) << name;
+  }
+}
+
+TEST(TwoPointBounds, WhatAnEdgeGeneratesLiesWithinTheDeviationFromIt) {
+  const json generators = testing::reference("curves.json")["A_generators"];
+  for (const auto& [name, generator] : generators.items()) {
+    const TwoPointParams params = two_point(generator_params(generator, 5).dump());
+    const two_point::BlockTables tables = two_point::make_block_tables(*two_point::make_automaton(params.motif, {}));
+    double farthest = 0.0;
+    for (const Vec2 p : draw_points(params)) {
+      farthest = std::max(farthest, distance(p, {std::clamp(p.x, 0.0, 1.0), 0.0}));
+    }
+    EXPECT_LE(farthest, tables.deviation) << name;
+    EXPECT_LE(tables.deviation, tables.reach) << name;
+    if (name == "koch") {
+      EXPECT_NEAR(tables.deviation, std::sqrt(3.0) / 6.0, 3e-3);
+    }
   }
 }
 

@@ -34,13 +34,25 @@ TEST(BackEnds, ToleranceIsHalfOfTheLastDecimalThatShows) {
   OutputOptions options;
   for (const char* format : {"svg", "pdf"}) {
     options.decimals = 3;
-    EXPECT_DOUBLE_EQ(row_of(format).tolerance_mm(options), 0.0005);
+    EXPECT_DOUBLE_EQ(row_of(format).tolerance_mm({}, options), 0.0005);
     options.decimals = 0;
-    EXPECT_DOUBLE_EQ(row_of(format).tolerance_mm(options), 0.5);
+    EXPECT_DOUBLE_EQ(row_of(format).tolerance_mm({}, options), 0.5);
   }
-  EXPECT_DOUBLE_EQ(row_of("png").tolerance_mm(options), 0.125 / options.dots_per_mm);
-  EXPECT_EQ(row_of("csv").tolerance_mm(options), 0.0);
-  EXPECT_EQ(row_of("dump").tolerance_mm(options), 0.0);
+  EXPECT_EQ(row_of("csv").tolerance_mm({}, options), 0.0);
+  EXPECT_EQ(row_of("dump").tolerance_mm({}, options), 0.0);
+}
+
+TEST(BackEnds, PixelsTolerateLessOfThinPens) {
+  OutputOptions options;
+  options.dots_per_mm = 10.0;
+  Sheet sheet;
+  const auto in_pixels = [&](double thinnest_mm) {
+    sheet.pens = {{"wide", {}, 2.0}, {"thin", {}, thinnest_mm}};
+    return 10.0 * row_of("png").tolerance_mm(sheet, options);
+  };
+  EXPECT_DOUBLE_EQ(in_pixels(1.0), 0.08);
+  EXPECT_DOUBLE_EQ(in_pixels(0.05), 0.04);
+  EXPECT_DOUBLE_EQ(in_pixels(0.001), 0.02);
 }
 
 TEST(BackEnds, EachWritesADrawingAndTheSameTwice) {

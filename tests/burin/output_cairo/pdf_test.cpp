@@ -116,7 +116,7 @@ TEST(Pdf, RefusesInksThatItWouldLose) {
 }
 
 TEST(Pdf, ToleranceIsHalfOfCairosUnit) {
-  EXPECT_DOUBLE_EQ(cairo_back_end("pdf").tolerance_mm({}), 25.4 / 72.0 / 512.0);
+  EXPECT_DOUBLE_EQ(cairo_back_end("pdf").tolerance_mm({}, {}), 25.4 / 72.0 / 512.0);
 }
 
 }  // namespace

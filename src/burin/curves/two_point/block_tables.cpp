@@ -81,14 +81,34 @@ double reach_of(const BlockTables& tables) {
   return std::min(reach, sharper) * (1.0 + 1e-9);
 }
 
+double distance_to_unit_edge(Vec2 p) {
+  return distance(p, {std::clamp(p.x, 0.0, 1.0), 0.0});
+}
+
+/// The offspring of an edge within h of the unit edge, and r times as long, is within h + r times the deviation. The
+/// edge is no farther from its offspring than that from it, for it is connected and has the same ends.
+double deviation_of(const BlockTables& tables) {
+  if (tables.reach == infinity) return infinity;
+  double sharper = 0.0;
+  for (const BlockTable& table : tables.by_state) {
+    const std::vector<Vec2>& v = table.vertices.back();
+    for (std::size_t w = 0; w + 1 < v.size(); ++w) {
+      const double apart = std::max(distance_to_unit_edge(v[w]), distance_to_unit_edge(v[w + 1]));
+      sharper = std::max(sharper, apart + distance(v[w], v[w + 1]) * tables.reach);
+    }
+  }
+  return std::min(tables.reach, sharper * (1.0 + 1e-9));
+}
+
 }  // namespace
 
 BlockTables make_block_tables(Automaton automaton) {
-  BlockTables tables{std::move(automaton), {}, 0.0};
+  BlockTables tables{std::move(automaton), {}, 0.0, 0.0};
   for (std::size_t state = 0; state < tables.automaton.states.size(); ++state) {
     tables.by_state.push_back(make_table(tables.automaton, static_cast<std::uint32_t>(state)));
   }
   tables.reach = reach_of(tables);
+  tables.deviation = deviation_of(tables);
   return tables;
 }
 

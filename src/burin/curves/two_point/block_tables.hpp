@@ -26,6 +26,9 @@ struct BlockTables {
   /// Everything generated from an edge PQ lies within reach |PQ| of its midpoint, whatever its state; infinite when the
   /// rule does not contract. Source: reference curves A.4.
   double reach = 0.0;
+  /// None of it lies farther than deviation |PQ| from the edge itself, or the edge from it: what is lost where the edge
+  /// is drawn in its place. At most reach.
+  double deviation = 0.0;
 };
 
 BlockTables make_block_tables(Automaton automaton);

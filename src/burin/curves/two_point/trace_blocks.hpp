@@ -12,8 +12,8 @@
 namespace burin::curves::two_point {
 
 /// Walks the refinement of one base edge by block tables, in travel order, with an explicit stack: O(levels) blocks of
-/// memory. An edge whose whole offspring is smaller than the view's tolerance, or lies outside its box, is not refined;
-/// its chord stands for it, which outside the box nobody sees.
+/// memory. An edge whose whole offspring is nearer to it than the view's tolerance, or lies outside its box, is not
+/// refined; it stands for them itself, which outside the box nobody sees.
 template <class Emitter>
 class BlockTracer {
  public:
@@ -44,9 +44,10 @@ class BlockTracer {
     int depth;  ///< 0: the root itself
   };
 
-  /// Whether the offspring of an edge is too small or too far away to be seen.
-  bool unseen(Vec2 p, Vec2 q, double reach) const {
-    return reach < view_.tolerance || !view_.box.touches_disc(0.5 * (p + q), reach);
+  /// Whether the offspring of an edge is too near to it, or too far away, to be seen.
+  bool unseen(Vec2 p, Vec2 q, double edge_length) const {
+    return tables_.deviation * edge_length < view_.tolerance ||
+           !view_.box.touches_disc(0.5 * (p + q), tables_.reach * edge_length);
   }
 
   Flow visit_block(const Node& node) {
@@ -55,13 +56,14 @@ class BlockTracer {
     const int depth = std::min(table.depth, levels_ - node.level);
     const Vec2 d = node.q - node.p;
     if (!view_.is_limited()) return whole_block(node, table, depth, d);
-    const double reach = tables_.reach * length(d);
-    if (unseen(node.p, node.q, reach)) return emitter_.point(node.q);
-    if (view_.box.contains_disc(0.5 * (node.p + node.q), reach)) {
+    const double edge_length = length(d);
+    if (unseen(node.p, node.q, edge_length)) return emitter_.point(node.q);
+    if (view_.box.contains_disc(0.5 * (node.p + node.q), tables_.reach * edge_length)) {
       // Often every edge of one level falls below the tolerance at once, and none before.
+      const double deviation = tables_.deviation * edge_length;
       int stop = 1;
-      while (stop <= depth && reach * table.longest[at(stop)] >= view_.tolerance) ++stop;
-      if (reach * table.shortest[at(stop - 1)] >= view_.tolerance) {
+      while (stop <= depth && deviation * table.longest[at(stop)] >= view_.tolerance) ++stop;
+      if (deviation * table.shortest[at(stop - 1)] >= view_.tolerance) {
         return stop <= depth ? emitter_.block(table.vertices[at(stop)], node.p, d, node.q)
                              : whole_block(node, table, depth, d);
       }
@@ -87,7 +89,7 @@ class BlockTracer {
     const Vec2 p = place(node, v, node.index);
     const Vec2 q = place(node, v, node.index + 1);
     const int level = node.level + node.depth;
-    if (level == levels_ || unseen(p, q, tables_.reach * distance(p, q))) return emitter_.point(q);
+    if (level == levels_ || unseen(p, q, distance(p, q))) return emitter_.point(q);
     if (node.depth < table.depth) {
       push_children(node, table);
     } else {

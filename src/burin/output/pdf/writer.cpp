@@ -257,7 +257,7 @@ Result<Done> PdfSink::finish() {
 
 }  // namespace
 
-double pdf_tolerance_mm(const OutputOptions& options) {
+double pdf_tolerance_mm(const Sheet&, const OutputOptions& options) {
   return half_unit_mm(options.decimals);
 }
 

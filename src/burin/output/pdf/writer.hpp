@@ -7,7 +7,7 @@
 namespace burin::output {
 
 /// Half a unit of the last decimal.
-double pdf_tolerance_mm(const OutputOptions& options);
+double pdf_tolerance_mm(const Sheet&, const OutputOptions& options);
 
 /// Looks at `decimals` and at the page's size: more than viewers open is refused.
 Result<Done> pdf_accepts(const Sheet& sheet, const OutputOptions& options);

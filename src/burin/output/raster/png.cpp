@@ -198,11 +198,6 @@ void RasterPng::write_band() {
   }
 }
 
-/// As for Cairo's PNG: half a pixel would hide the shapes, but a crinkled line loses ink with them.
-double tolerance_mm(const OutputOptions& options) {
-  return 0.125 / options.dots_per_mm;
-}
-
 Result<Done> accepts(const Sheet& sheet, const OutputOptions& options) {
   const auto [width, height] = png_size(sheet.page, options.dots_per_mm);
   if (std::max(width, height) <= most_pixels_a_side) return Done{};
@@ -235,7 +230,7 @@ BackEnd png_back_end() {
           .summary = "PNG with soft edges on the paper's colour, the same bytes on every machine",
           .space = Space::page,
           .binary = true,
-          .tolerance_mm = tolerance_mm,
+          .tolerance_mm = png_tolerance_mm,
           .accepts = accepts,
           .memory_bytes = memory_bytes,
           .open = open};
