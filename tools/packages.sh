@@ -8,7 +8,7 @@ build_packages=(g++ cmake ninja-build pkg-config libcairo2-dev libpng-dev libjpe
 test_packages=(libgtest-dev nlohmann-json3-dev)
 
 # What ./check --full needs besides.
-full_packages=(adwaita-icon-theme tango-icon-theme clang-14 clang-format-14 libclang-rt-14-dev librsvg2-bin mupdf-tools poppler-utils
+full_packages=(adwaita-icon-theme tango-icon-theme contextfree libplot-dev clang-14 clang-format-14 libclang-rt-14-dev librsvg2-bin mupdf-tools poppler-utils
   qpdf libxml2-utils pngcheck python3-shapely)
 
 # install_packages NAME...: installs those that dpkg does not know as installed; does nothing and needs no network when

@@ -16,8 +16,10 @@ inline Cost cheapest(const Cost& a, const Cost& b) {
 
 inline constexpr Cost unknown{1e9, 1e9, 1e9};
 
+// tests/bench/run.sh makes the tables of README.md of what these two print.
+
 inline void print_row(const char* what, const Cost& cost) {
-  std::printf("%-36s cpu %7.4f s  wall %7.4f s  peak %6.1f MiB\n", what, cost.cpu_s, cost.wall_s, cost.peak_mib);
+  std::printf("cost | %s | %.4f | %.4f | %.1f |\n", what, cost.cpu_s, cost.wall_s, cost.peak_mib);
 }
 
 /// How much more CPU time the second of two programs takes, pair by pair of runs.
@@ -39,7 +41,7 @@ Ratio times_theirs(int turns, const Ours& ours, const Theirs& theirs) {
 }
 
 inline void print_ratio(const char* what, const Ratio& ratio) {
-  std::printf("%-36s x %.1f (least %.1f, most %.1f)\n", what, ratio.median, ratio.least, ratio.most);
+  std::printf("ratio | %s | %.2f | %.2f | %.2f |\n", what, ratio.median, ratio.least, ratio.most);
 }
 
 }  // namespace burin::test

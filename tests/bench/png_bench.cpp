@@ -76,15 +76,15 @@ class PngBench : public testing::Test {
   std::string cairo_picture = folder.file("cairo.png");
 };
 
-TEST_F(PngBench, KochOfOrderTenIsFifteenTimesCheaperThanCairo) {
+TEST_F(PngBench, KochOfOrderTenIsFarCheaperThanCairo) {
   const std::string koch = preset("koch", 10);
   const Ratio ratio = against_cairo(koch);
   print_ratio("Koch, order 10: Cairo / native", ratio);
   expect_alike(6.0);  // Cairo draws where its chunks meet twice
-  EXPECT_GE(ratio.median, 15.0);
+  EXPECT_GE(ratio.median, 28.0);
 }
 
-TEST_F(PngBench, OrderElevenCostsLittleMoreThanEight) {
+TEST_F(PngBench, OrderElevenCostsNoMoreThanEight) {
   const std::string koch8 = preset("koch", 8);
   const std::string koch11 = preset("koch", 11);
   Cost eight = unknown;
@@ -102,7 +102,7 @@ TEST_F(PngBench, OrderElevenCostsLittleMoreThanEight) {
   print_row("Koch, order 8", eight);
   print_row("Koch, order 11", eleven);
   print_ratio("order 11 / order 8", ratio);
-  EXPECT_LE(ratio.median, 2.5);
+  EXPECT_LE(ratio.median, 1.3);
   EXPECT_LE(eleven.peak_mib, 20.0);
 }
 
