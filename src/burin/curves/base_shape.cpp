@@ -7,6 +7,7 @@
 #include <burin/base/math.hpp>
 #include <burin/base/number_text.hpp>
 #include <burin/curves/base_shape.hpp>
+#include <burin/curves/curve_source.hpp>
 #include <burin/data/csv.hpp>
 #include <burin/data/svg_path.hpp>
 
@@ -38,6 +39,7 @@ struct BaseSpec {
   std::vector<Vec2> points;
   std::string csv;
   std::string path;
+  std::optional<CurveSource> curve;
   std::optional<bool> closed;
   double tolerance = 0.001;
 
@@ -49,6 +51,8 @@ struct BaseSpec {
         params::field("points", &BaseSpec::points, "[[x, y], ...]"),
         params::field("csv", &BaseSpec::csv, "file of points, one a line"),
         params::field("path", &BaseSpec::path, "SVG path data, y down as in SVG"),
+        params::field("curve", &BaseSpec::curve,
+                      "the points of another curve: { family = \"two-point\", levels = 3 }, with a `seed` of its own"),
         params::field("closed", &BaseSpec::closed, "whether the last point joins the first; unset: as the source says"),
         params::field("tolerance", &BaseSpec::tolerance, params::positive,
                       "largest distance between a curve of `path` and its chords")};
@@ -92,12 +96,13 @@ std::optional<std::vector<Polyline>> polylines_of(const BaseSpec& spec, const Wh
     context.problems.insert(context.problems.end(), problems.begin(), problems.end());
     return std::nullopt;
   };
-  const int sources =
-      int{spec.shape.has_value()} + int{!spec.points.empty()} + int{!spec.csv.empty()} + int{!spec.path.empty()};
+  const int sources = int{spec.shape.has_value()} + int{!spec.points.empty()} + int{!spec.csv.empty()} +
+                      int{!spec.path.empty()} + int{spec.curve.has_value()};
   if (sources != 1) {
-    context.report(where, "a base needs exactly one of 'shape', 'points', 'csv' and 'path'");
+    context.report(where, "a base needs exactly one of 'shape', 'points', 'csv', 'path' and 'curve'");
     return std::nullopt;
   }
+  if (spec.curve) return spec.curve->polylines;
   if (spec.shape) return std::vector{named_shape(*spec.shape, spec.n, spec.inner)};
   if (!spec.points.empty()) return std::vector{Polyline{spec.points, false}};
   if (!spec.csv.empty()) {

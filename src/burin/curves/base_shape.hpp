@@ -38,7 +38,8 @@ std::vector<params::FieldInfo> base_fields();
 
 /// "segment" (0,0)-(1,0); "triangle" and "square": counter-clockwise on that segment; { shape = "ngon", n = 5 } and
 /// { shape = "star", n = 5, inner = 0.4 }: about the origin, circumradius 1, first corner up, counter-clockwise;
-/// { points = [[x, y], ...], closed = true }; { csv = "file" }; { path = "M0 0 ..." } (SVG path data, turned y up).
+/// { points = [[x, y], ...], closed = true }; { csv = "file" }; { path = "M0 0 ..." } (SVG path data, turned y up);
+/// { curve = { family = ... } }: the points of another curve.
 template <>
 struct burin::params::ValueType<burin::curves::BaseShape> {
   static std::string name() { return "base"; }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include <burin/base/suggest.hpp>
 #include <burin/curves/de_rham.hpp>
 #include <burin/curves/family.hpp>
 #include <burin/curves/four_parameter.hpp>
@@ -41,6 +42,24 @@ const Family* find_family(std::string_view name) {
   const std::span<const Family> families = catalogue();
   const auto row = std::find_if(families.begin(), families.end(), [&](const Family& f) { return f.name == name; });
   return row == families.end() ? nullptr : &*row;
+}
+
+const Family* read_family(const params::Table& table, const Where& where, params::ReadContext& context) {
+  std::vector<std::string_view> names;
+  for (const Family& family : catalogue()) names.push_back(family.name);
+  const params::Value* value = table.find("family");
+  if (value == nullptr) {
+    context.report(where, "a curve needs a 'family'" + suggestion("", names));
+    return nullptr;
+  }
+  const std::string* name = value->text();
+  if (name == nullptr) {
+    params::report_kind(*value, "the name of a family", context);
+    return nullptr;
+  }
+  const Family* const family = find_family(*name);
+  if (family == nullptr) context.report(value->where, "no family '" + *name + '\'' + suggestion(*name, names));
+  return family;
 }
 
 }  // namespace burin::curves

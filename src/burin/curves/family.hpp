@@ -55,6 +55,9 @@ std::span<const Family> catalogue();
 /// The family of this name, or null.
 const Family* find_family(std::string_view name);
 
+/// The family that a curve's table names by 'family'; null after reporting.
+const Family* read_family(const params::Table& table, const Where& where, params::ReadContext& context);
+
 /// A row for the catalogue from a struct F that holds a family's functions: `using Params`, and static check
 /// (cross-field rules; false after reporting), bounds, forecast, draw and uses_seed, all for Params instead of
 /// std::any; theory, if there is one, and retained_every, where a level keeps the points of the one before.

@@ -170,7 +170,19 @@ std::vector<PlaneFunction> image_functions(const std::vector<NamedImage>& images
       const bool beside = x < 0.0 || y < 0.0 || x > grey->width || y > grey->height;
       return beside && pixels.white_beside ? 1.0 : grey->at(x, y);
     };
-    functions.push_back({image.name, std::make_shared<const std::function<double(double, double)>>(value)});
+    const auto flow = [value, pixels](double u, double v) {
+      // A step is about a hundredth of the picture, and as long to the side as up.
+      const double du = 0.01;
+      const double dv = du * pixels.x_scale / pixels.y_scale;
+      const double to_right = value(u + du, v) - value(u - du, v);
+      const double upwards = value(u, v + dv) - value(u, v - dv);
+      return math::atan2(to_right, -upwards) * (180.0 / math::pi);
+    };
+    const auto add = [&](const std::string& name, auto function) {
+      functions.push_back({name, std::make_shared<const std::function<double(double, double)>>(std::move(function))});
+    };
+    add(image.name, value);
+    add(image.name + "_flow", flow);
   }
   return functions;
 }

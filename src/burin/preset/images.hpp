@@ -57,7 +57,9 @@ struct NamedImage {
 /// In file order; reads the files.
 std::vector<NamedImage> read_images(const params::Table& root, params::ReadContext& context);
 
-/// Each image as NAME(u, v) over a slot: u from its left to its right side, v from its foot to its head, 0 to 1.
+/// Each image as NAME(u, v) over a slot: u from its left to its right side, v from its foot to its head, 0 to 1; and
+/// NAME_flow(u, v), in degrees from u's axis towards v's: the way along which the brightness does not change, darker to
+/// the left; 0 where it changes nowhere.
 std::vector<PlaneFunction> image_functions(const std::vector<NamedImage>& images, const SlotFrame& slot);
 
 }  // namespace burin::preset

@@ -5,6 +5,7 @@
 
 #include <burin/curves/base_shape.hpp>
 
+#include "support/curve_summary.hpp"
 #include "support/json_value.hpp"
 
 namespace burin::curves {
@@ -63,10 +64,35 @@ TEST(BaseShape, FilesAreReadByTheReaderGiven) {
   EXPECT_NE(missing.problems[0].message.find("no such file"), std::string::npos);
 }
 
+TEST(BaseShape, AnotherCurveIsABase) {
+  const std::string koch = R"({"family": "two-point", "levels": 2, "base": "triangle"})";
+  const BaseShape read = base(R"({"curve": )" + koch + "}");
+  ASSERT_EQ(read.polylines.size(), 1U);
+  EXPECT_TRUE(read.polylines[0].closed);
+  EXPECT_EQ(read.polylines[0].points, testing::draw_points(two_point(R"({"levels": 2, "base": "triangle"})")));
+  // Two levels of it refined twice are four.
+  const std::vector<Vec2> four = testing::draw_points(two_point(R"({"levels": 4, "base": "triangle"})"));
+  const std::vector<Vec2> again = testing::draw_points(two_point(R"({"levels": 2, "base": {"curve": )" + koch + "}}"));
+  ASSERT_EQ(again.size(), four.size());
+  for (std::size_t i = 0; i < four.size(); ++i) EXPECT_LT(distance(again[i], four[i]), 1e-14);
+}
+
+TEST(BaseShape, ARandomCurveHasASeedOfItsOwn) {
+  const auto random = [](const std::string& seed) {
+    return base(R"({"curve": {"family": "two-point", "levels": 3, "motif": {"marks": [[0.5, {"random": [-1, 1]}]]})" +
+                seed + "}}")
+        .polylines[0]
+        .points;
+  };
+  EXPECT_EQ(random(""), random(R"(, "seed": 0)"));
+  EXPECT_EQ(random(R"(, "seed": 7)"), random(R"(, "seed": 7)"));
+  EXPECT_NE(random(R"(, "seed": 7)"), random(R"(, "seed": 8)"));
+}
+
 TEST(BaseShape, MistakesAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {R"("sqare")", "did you mean 'square'?"},
-      {R"({})", "exactly one of 'shape', 'points', 'csv' and 'path'"},
+      {R"({})", "exactly one of 'shape', 'points', 'csv', 'path' and 'curve'"},
       {R"({"points": []})", "exactly one of"},
       {R"({"points": [[1, 1]]})", "at least 2 points, found 1"},
       {R"({"points": [[1, 1], [2]]})", "a point [x, y]"},
@@ -77,6 +103,11 @@ TEST(BaseShape, MistakesAreNamed) {
       {R"({"path": "M0 0"})", "draws no line"},
       {R"({"path": "M0 0 L"})", ""},
       {R"(3)", "expected a base"},
+      {R"({"curve": "koch"})", "a curve: { family"},
+      {R"({"curve": {"levels": 2}})", "needs a 'family'"},
+      {R"({"curve": {"family": "two-piont"}})", "did you mean 'two-point'?"},
+      {R"({"curve": {"family": "two-point", "level": 2}})", "did you mean 'levels'?"},
+      {R"({"curve": {"family": "two-point", "levels": 11}})", "at most a million points of a curve; lower 'levels'"},
   };
   for (const auto& [json, expected] : cases) {
     const testing::ReadParams read = read_params("two-point", R"({"base": )" + std::string(json) + "}");

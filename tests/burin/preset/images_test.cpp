@@ -2,6 +2,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <burin/base/math.hpp>
 #include <burin/preset/images.hpp>
 
 #include "preset_text.hpp"
@@ -57,6 +58,32 @@ TEST(Images, CoverCutsAndContainLeavesWhite) {
   EXPECT_EQ(value(ImageFit::contain, 50, 50, 0.5, 0.9), 1.0);
   EXPECT_NEAR(value(ImageFit::contain, 100, 20, 0.5, 0.75), 0.2, 1e-6);
   EXPECT_EQ(value(ImageFit::contain, 100, 20, 0.1, 0.75), 1.0);
+}
+
+TEST(Images, FlowRunsAlongWhatHasOneBrightness) {
+  // A ramp over the direction `deg`, brighter that way, in a slot twice as wide as the picture is seen.
+  for (const double deg : {0.0, 30.0, 90.0, 135.0, 200.0, 300.0}) {
+    auto ramp = std::make_shared<GreyImage>(GreyImage{400, 200, std::vector<float>(80'000)});
+    for (int y = 0; y < 200; ++y) {
+      for (int x = 0; x < 400; ++x) {
+        const double along = (x - 200) * math::cos(deg * math::pi / 180) - (y - 100) * math::sin(deg * math::pi / 180);
+        ramp->values[static_cast<std::size_t>(400 * y + x)] = static_cast<float>(0.5 + 0.002 * along);
+      }
+    }
+    const std::vector<PlaneFunction> functions = image_functions({{"face", ImageFit::cover, ramp}}, {{0, 0}, 90, 90});
+    ASSERT_EQ(functions[1].name, "face_flow");
+    const double flow = (*functions[1].value)(0.4, 0.6);
+    EXPECT_NEAR(std::remainder(flow - (deg + 90), 360), 0.0, 1e-2) << deg;
+  }
+}
+
+TEST(Images, LineArtAsksThem) {
+  const Result<Piece> piece = load_text(
+      "burin = 1\nimages.face = { file = \"dots.png\" }\n[[layer]]\ncurve = { family = \"line-art\", lines = 50, flow "
+      "= "
+      "\"face_flow(x, y)\", compose = { density = \"1 - face(x, y)\" } }\n",
+      {}, files);
+  EXPECT_TRUE(piece.ok()) << problems_text(piece.problems());
 }
 
 TEST(Images, AFileIsReadAndAskedInExpressions) {

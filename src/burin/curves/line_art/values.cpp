@@ -47,7 +47,7 @@ bool read_formula(const params::Value& value, std::span<const std::string_view> 
   } else {
     return false;
   }
-  Result<expr::Expression> compiled = expr::Expression::compile(text, variables, value.where);
+  Result<expr::Expression> compiled = expr::Expression::compile(text, variables, value.where, context.functions);
   if (!compiled) {
     context.problems.insert(context.problems.end(), compiled.problems().begin(), compiled.problems().end());
     return false;
