@@ -36,6 +36,10 @@ double half_widest_pen_mm(const Piece& piece, const Layer& layer) {
   return 0.5 * widest;
 }
 
+Paint fill_of(const LayerStyle& style) {
+  return style.rule == FillRule::evenodd ? Paint::fill_evenodd : Paint::fill_nonzero;
+}
+
 bool uses_seed(const Layer& layer) {
   const auto by_chance = [&](const std::any& parameters) { return layer.family->uses_seed(parameters); };
   const primitives::PositionUse pens = layer.style.pen.used();

@@ -21,6 +21,9 @@ std::size_t pen_index(const Piece& piece, const std::string& name);
 /// How far a layer's lines reach to their sides.
 double half_widest_pen_mm(const Piece& piece, const Layer& layer);
 
+/// The paint of its areas.
+Paint fill_of(const LayerStyle& style);
+
 /// Whether another seed gives another drawing.
 bool uses_seed(const Layer& layer);
 

@@ -10,12 +10,8 @@
 
 namespace burin::preset {
 
-/// What the layers of a preset are called: as they say, or like their curves: by the define's name or the family's,
-/// numbered when that is taken ("flake", "flake 2"). To be asked before `like` is resolved, which forgets the names.
-std::vector<std::string> layer_names(const params::Array& layers);
-
 /// Reads [[layer]], of which there must be one, into the piece; `file` is where that is reported. Pens and slots must
-/// be those of the piece, which gets the pens of gradients too. Pre: one name for each layer.
+/// be those of the piece, which gets the pens of gradients too. Pre: `layer_names`, one for each layer.
 void read_layers(const params::Table& root, const std::vector<std::string>& names, const Where& file,
                  const std::vector<NamedImage>& images, Piece& piece, params::ReadContext& context);
 

@@ -8,6 +8,7 @@
 #include <burin/preset/defines.hpp>
 #include <burin/preset/findings.hpp>
 #include <burin/preset/knobs.hpp>
+#include <burin/preset/layer_names.hpp>
 #include <burin/preset/layers.hpp>
 #include <burin/preset/load.hpp>
 #include <burin/preset/overrides.hpp>

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include <burin/base/suggest.hpp>
-#include <burin/preset/layers.hpp>
+#include <burin/preset/layer_names.hpp>
 #include <burin/preset/overrides.hpp>
 #include <burin/preset/toml.hpp>
 

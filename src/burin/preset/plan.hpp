@@ -35,6 +35,8 @@ struct RunOptions {
   std::optional<PageWindow> window{};  ///< of the page space; nothing: the page as it is
 };
 
+struct PlanStep;
+
 /// A piece fitted to its page and ready to be drawn, as often as one likes: each run replays the generators into a
 /// sink. Const and free of state; runs may go on at the same time.
 class Plan {
@@ -58,26 +60,15 @@ class Plan {
   bool uses_seed() const;
 
  private:
-  struct Step;
-  struct Placed;
-  struct Clip;
-  struct Areas;
-
-  /// Fits every slot and numbers the items of the layers.
-  static Result<std::vector<std::shared_ptr<const Placed>>> place_layers(const Piece& piece);
-  static std::vector<Clip> clips_of(const Placed& placed, const std::vector<std::shared_ptr<const Placed>>& all,
-                                    const Piece& piece);
-
   /// The options for the planned page, whose drawing an enlargement makes coarser.
   RunOptions before_enlarging(RunOptions options) const;
   Flow run_steps(PathSink& sink, const RunOptions& options) const;
-  Areas areas_of(const RunOptions& options) const;
 
   std::shared_ptr<Sheet> sheet_;
   Page page_;  ///< as planned
   std::optional<Enlargement> enlargement_;
-  std::shared_ptr<const std::vector<Step>> steps_;
-  std::shared_ptr<const std::vector<Step>> hiding_;  ///< the layers that hide others, each whole
+  std::shared_ptr<const std::vector<PlanStep>> steps_;
+  std::shared_ptr<const std::vector<PlanStep>> hiding_;  ///< the layers that hide others, each whole
   bool seed_in_values_ = false;
 };
 
