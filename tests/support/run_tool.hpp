@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -23,6 +24,8 @@ struct Finished {
   int code = -1;  ///< exit code; 128 + n for a death by signal n; -1 when it had to be killed after the time limit
   std::string out;
   std::string err;
+  double cpu_s = 0.0;     ///< user and system time
+  double peak_mib = 0.0;  ///< of resident memory; never less than the test had when it started the program
 };
 
 /// Where and how a program runs.
@@ -75,9 +78,14 @@ class RunningTool {
     }
     if (!in_time) kill(pid_, SIGKILL);
     int status = 0;
-    waitpid(pid_, &status, 0);
+    rusage used{};
+    wait4(pid_, &status, 0, &used);
     pid_ = -1;
     close_all();
+    for (const timeval& time : {used.ru_utime, used.ru_stime}) {
+      finished.cpu_s += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    }
+    finished.peak_mib = static_cast<double>(used.ru_maxrss) / 1024.0;
     if (in_time) finished.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return finished;
   }

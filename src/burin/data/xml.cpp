@@ -43,6 +43,14 @@ std::optional<std::string_view> XmlElement::attribute(std::string_view name) con
   return std::nullopt;
 }
 
+std::size_t XmlElement::attribute_bytes() const {
+  std::size_t sum = 0;
+  for (const pugi::xml_attribute& attribute : node_of(node_).attributes()) {
+    sum += std::string_view(attribute.name()).size() + std::string_view(attribute.value()).size();
+  }
+  return sum;
+}
+
 XmlElement XmlElement::parent() const {
   const pugi::xml_node parent = node_of(node_).parent();
   return parent.type() == pugi::node_element ? element_of(parent) : XmlElement();

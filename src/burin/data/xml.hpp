@@ -27,6 +27,9 @@ class XmlElement {
   /// The value of the attribute written so; nothing when there is none.
   std::optional<std::string_view> attribute(std::string_view name) const;
 
+  /// The text of all attributes, names included.
+  std::size_t attribute_bytes() const;
+
   /// Neighbours that are elements; none at the end.
   XmlElement parent() const;
   XmlElement first_child() const;

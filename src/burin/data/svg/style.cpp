@@ -55,22 +55,15 @@ Style inherited(const Style& parent) {
   return style;
 }
 
-void apply(std::string_view name, std::string_view value, const Style& parent, Style& style) {
-  for (const Property& property : properties) {
-    if (property.name != name) continue;
-    if (value == "inherit") value = parent.*property.member;
-    if (!value.empty()) style.*property.member = value;
-    return;
-  }
+/// Null when nothing is drawn by such a property.
+const Property* find_property(std::string_view name) {
+  const auto found = std::ranges::find(properties, name, &Property::name);
+  return found == properties.end() ? nullptr : &*found;
 }
 
-/// "fill: none; stroke: red !important".
-void apply_declarations(std::string_view declarations, const Style& parent, Style& style) {
-  while (!declarations.empty()) {
-    std::string_view value = take_until(declarations, ';');
-    const std::string_view name = take_until(value, ':');
-    apply(name, trimmed(value.substr(0, value.find('!'))), parent, style);
-  }
+void apply(std::string_view Style::*member, std::string_view value, const Style& parent, Style& style) {
+  if (value == "inherit") value = parent.*member;
+  if (!value.empty()) style.*member = value;
 }
 
 /// The text with its comments blanked out.
@@ -100,12 +93,28 @@ int StyleSheet::Selector::weight() const {
   return (id.empty() ? 0 : 10'000) + 10 * static_cast<int>(classes.size()) + (tag.empty() ? 0 : 1);
 }
 
-bool StyleSheet::Selector::matches(const XmlElement& element) const {
-  if (!tag.empty() && tag != element.local_name()) return false;
-  if (!id.empty() && element.attribute("id") != id) return false;
-  if (classes.empty()) return true;
-  const std::string_view own = element.attribute("class").value_or("");
-  return std::all_of(classes.begin(), classes.end(), [&](std::string_view name) { return has_word(own, name); });
+bool StyleSheet::Labels::match(const Selector& selector) const {
+  if (!selector.tag.empty() && selector.tag != tag) return false;
+  if (!selector.id.empty() && selector.id != id) return false;
+  return std::ranges::all_of(selector.classes, [&](std::string_view name) { return has_word(classes, name); });
+}
+
+/// "fill: none; stroke: red !important".
+std::vector<StyleSheet::Declaration> StyleSheet::parse_declarations(std::string_view text) {
+  std::vector<Declaration> declarations;
+  while (!text.empty()) {
+    std::string_view value = take_until(text, ';');
+    const Property* property = find_property(take_until(value, ':'));
+    value = trimmed(value.substr(0, value.find('!')));
+    if (property == nullptr || value.empty()) continue;
+    const auto same = std::ranges::find(declarations, property->member, &Declaration::member);
+    if (same == declarations.end()) {
+      declarations.push_back({property->member, value});
+    } else {
+      same->value = value;
+    }
+  }
+  return declarations;
 }
 
 bool StyleSheet::parse_selector(std::string_view text, Selector& selector) {
@@ -130,6 +139,7 @@ bool StyleSheet::parse_selector(std::string_view text, Selector& selector) {
 
 void StyleSheet::add_rule(std::string_view selectors, std::string_view declarations,
                           std::vector<std::string>& not_understood) {
+  const std::vector<Declaration> parsed = parse_declarations(declarations);
   while (!selectors.empty()) {
     const std::string_view text = take_until(selectors, ',');
     Selector selector;
@@ -139,7 +149,7 @@ void StyleSheet::add_rule(std::string_view selectors, std::string_view declarati
     }
     const auto place = std::upper_bound(rules_.begin(), rules_.end(), selector.weight(),
                                         [](int weight, const Rule& rule) { return weight < rule.selector.weight(); });
-    rules_.insert(place, {std::move(selector), declarations});
+    rules_.insert(place, {std::move(selector), parsed});
   }
 }
 
@@ -164,14 +174,17 @@ Style StyleSheet::style_of(const XmlElement& element, const Style& parent) const
   Style style = inherited(parent);
   for (const Property& property : properties) {
     if (const std::optional<std::string_view> value = element.attribute(property.name)) {
-      apply(property.name, trimmed(*value), parent, style);
+      apply(property.member, trimmed(*value), parent, style);
     }
   }
+  const Labels labels{element.local_name(), element.attribute("id").value_or(""),
+                      element.attribute("class").value_or("")};
   for (const Rule& rule : rules_) {
-    if (rule.selector.matches(element)) apply_declarations(rule.declarations, parent, style);
+    if (!labels.match(rule.selector)) continue;
+    for (const Declaration& each : rule.declarations) apply(each.member, each.value, parent, style);
   }
   if (const std::optional<std::string_view> own = element.attribute("style")) {
-    apply_declarations(*own, parent, style);
+    for (const Declaration& each : parse_declarations(*own)) apply(each.member, each.value, parent, style);
   }
   return style;
 }

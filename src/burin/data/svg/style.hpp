@@ -51,12 +51,23 @@ class StyleSheet {
     std::string_view id;
     std::vector<std::string_view> classes;
     int weight() const;
-    bool matches(const XmlElement& element) const;
+  };
+  /// What selectors ask of an element.
+  struct Labels {
+    std::string_view tag;
+    std::string_view id;
+    std::string_view classes;
+    bool match(const Selector& selector) const;
+  };
+  struct Declaration {
+    std::string_view Style::*member = nullptr;
+    std::string_view value;
   };
   struct Rule {
     Selector selector;
-    std::string_view declarations;
+    std::vector<Declaration> declarations;  ///< one for each property at most
   };
+  static std::vector<Declaration> parse_declarations(std::string_view text);
   static bool parse_selector(std::string_view text, Selector& selector);
   void add_rule(std::string_view selectors, std::string_view declarations, std::vector<std::string>& not_understood);
 

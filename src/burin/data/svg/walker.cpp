@@ -38,6 +38,12 @@ bool has_entity(std::string_view value) {
   return at != std::string_view::npos && value.find(';', at) != std::string_view::npos;
 }
 
+/// A long one counts as several, for `use` may have it read again and again.
+std::size_t weight_of(const XmlElement& element) {
+  constexpr std::size_t usual_bytes = 256;
+  return 1 + element.attribute_bytes() / usual_bytes;
+}
+
 bool is_anchor(const XmlElement& element) {
   return element.attribute("inkscape:label") == "anchor" || element.attribute("id") == "anchor";
 }
@@ -128,10 +134,11 @@ bool Walker::enter(const XmlElement& element, const Style& style, const Context&
 void Walker::visit(const XmlElement& element, const Context& parent) {
   if (failure_) return;
   const std::string_view tag = element.local_name();
-  if (!is_drawing_element(element) || holds(silent_tags, tag)) return;
-  if (++elements_ > max_elements) {
+  elements_ += weight_of(element);
+  if (elements_ > max_elements) {
     return fail(element, "it has more than 100000 elements to draw; simplify it", Trouble::limit);
   }
+  if (!is_drawing_element(element) || holds(silent_tags, tag)) return;
   if (parent.depth >= max_depth) {
     return fail(element, "more than 200 groups stand one in another; ungroup them", Trouble::limit);
   }
@@ -222,7 +229,8 @@ void Walker::visit_use(const XmlElement& element, const Context& parent) {
   const std::string_view tag = target.local_name();
   if (tag == "symbol" || tag == "svg") {
     Context inner;
-    if (++elements_ <= max_elements && enter(target, context.style, context, inner)) {
+    elements_ += weight_of(target);
+    if (elements_ <= max_elements && enter(target, context.style, context, inner)) {
       visit_viewport(target, inner, element);
     }
   } else {
