@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <utility>
@@ -31,6 +32,13 @@ Sheet sheet_of(const Piece& piece) {
   return sheet;
 }
 
+std::vector<double> dashes_mm(const LayerStyle& style) {
+  std::vector<double> lengths_mm;
+  for (const params::Length& dash : style.dashes) lengths_mm.push_back(dash.mm);
+  return lengths_mm;
+}
+
+/// Without its dashes.
 SheetLayer sheet_layer(const Piece& piece, const LayerStyle& style, const std::string& pen, Paint paint) {
   SheetLayer layer;
   layer.name = style.name;
@@ -39,7 +47,6 @@ SheetLayer sheet_layer(const Piece& piece, const LayerStyle& style, const std::s
   layer.cap = style.caps;
   layer.join = style.joins;
   layer.miter_limit = style.miter;
-  for (const params::Length& dash : style.dashes) layer.dashes_mm.push_back(dash.mm);
   layer.opacity = style.opacity;
   return layer;
 }
@@ -80,12 +87,13 @@ std::vector<LayerClip> clips_of(const PlacedLayer& placed, const PlacedLayers& a
     if (spec->layer.empty()) {
       clip.outline_mm = clip_outline(spec->table, placed.slot->frame, piece.page);
     } else {
-      const auto by =
-          std::ranges::find_if(all, [&](const auto& other) { return other->layer.style.name == spec->layer; });
-      // The reader has made sure that there is one.
-      BURIN_EXPECT(by != all.end());
-      clip.by = std::make_shared<const PlanStep>(PlanStep{*by, whole_layer((*by)->layer), piece.seed,
-                                                          std::make_shared<const std::vector<LayerClip>>(), false});
+      // Several when it draws another preset.
+      for (const std::shared_ptr<const PlacedLayer>& other : all) {
+        if (other->layer.style.name != spec->layer) continue;
+        clip.by.push_back(
+            {other, whole_layer(other->layer), piece.seed, std::make_shared<const std::vector<LayerClip>>()});
+      }
+      BURIN_EXPECT(!clip.by.empty());  // the reader has made sure
     }
     clips.push_back(std::move(clip));
   };
@@ -93,6 +101,14 @@ std::vector<LayerClip> clips_of(const PlacedLayer& placed, const PlacedLayers& a
   add(style.clip, passes::Keep::inside);
   add(style.outside, passes::Keep::outside);
   return clips;
+}
+
+/// Whether lines of layer `index` are cut along other layers, or along its own later figures.
+bool is_cut(const PlacedLayers& all, std::size_t index) {
+  const LayerStyle& style = all[index]->layer.style;
+  return style.clip || style.outside ||
+         std::any_of(all.begin() + static_cast<std::ptrdiff_t>(index), all.end(),
+                     [](const std::shared_ptr<const PlacedLayer>& later) { return later->layer.style.hide; });
 }
 
 }  // namespace
@@ -104,13 +120,16 @@ Result<Plan> Plan::make(Piece piece) {
   auto sheet = std::make_shared<Sheet>(sheet_of(piece));
   auto steps = std::make_shared<std::vector<PlanStep>>();
   auto hiding = std::make_shared<std::vector<PlanStep>>();
-  for (const std::shared_ptr<const PlacedLayer>& layer : *placed) {
+  for (std::size_t i = 0; i < placed->size(); ++i) {
+    const std::shared_ptr<const PlacedLayer>& layer = (*placed)[i];
     const LayerStyle& style = layer->layer.style;
+    const bool cuts_dashes = is_cut(*placed, i);
     const auto clips = std::make_shared<const std::vector<LayerClip>>(clips_of(*layer, *placed, piece));
     const auto add = [&](const std::string& pen, LayerPart part, bool hidden) {
       sheet->layers.push_back(sheet_layer(piece, style, pen, part.paint));
       if (hidden) sheet->layers.back().name += " hidden";
       steps->push_back({layer, std::move(part), piece.seed, clips, hidden});
+      (cuts_dashes ? steps->back().dashes_mm : sheet->layers.back().dashes_mm) = dashes_mm(style);
     };
     if (!style.fill.empty()) add(style.fill, whole_layer(layer->layer, fill_of(style)), false);
     for (std::size_t pen = 0; style.stroke != "none" && pen < style.pen.of.size(); ++pen) {

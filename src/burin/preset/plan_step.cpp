@@ -2,6 +2,7 @@
 #include <optional>
 
 #include <burin/passes/crop.hpp>
+#include <burin/passes/dashes.hpp>
 #include <burin/passes/items.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/preset/layer_facts.hpp>
@@ -65,9 +66,19 @@ Flow PlanStep::draw(const Copy& copy, LayerRun& run, LayerId layer, PathSink& si
   return run.draw(setting_of(placed->slot->frame, copy, drawn), drawn, stoppable, item);
 }
 
+PathSink& PlanStep::clipped(PathSink& sink, const CutAreas& areas, std::deque<passes::RegionFilter>& filters) const {
+  PathSink* next = &sink;
+  for (const LayerClip& clip : *clips) {
+    next = &filters.emplace_back(
+        *next, areas.clips.at(&clip), clip.keep,
+        clip.keep == passes::Keep::inside ? passes::Border::is_inside : passes::Border::is_outside);
+  }
+  return *next;
+}
+
 Flow PlanStep::draw_all(LayerId layer, PathSink& sink, const RunOptions& options, const Page& page,
                         const CutAreas& areas) const {
-  // Onto the page: what later items hide, what clips, the window.
+  // Onto the page: dashes, what later items hide, what clips, the window.
   PathSink* next = &sink;
   std::optional<passes::Crop> window;
   if (options.window && options.space == Space::page) {
@@ -75,16 +86,16 @@ Flow PlanStep::draw_all(LayerId layer, PathSink& sink, const RunOptions& options
     next = &*window;
   }
   std::deque<passes::RegionFilter> filters;
-  for (const LayerClip& clip : *clips) {
-    if (options.space == Space::model) break;
-    next = &filters.emplace_back(
-        *next, areas.clips.at(&clip), clip.keep,
-        clip.keep == passes::Keep::inside ? passes::Border::is_inside : passes::Border::is_outside);
-  }
+  if (options.space == Space::page) next = &clipped(*next, areas, filters);
   passes::Regions::Item item = placed->first_item;
   if (!areas.hiding.empty()) {
     const passes::Keep keep = hidden ? passes::Keep::inside : passes::Keep::outside;
     next = &filters.emplace_back(*next, areas.hiding, keep, passes::Border::is_outside, item);
+  }
+  std::optional<passes::Dashes> dashes;
+  if (!dashes_mm.empty() && options.space == Space::page) {
+    dashes.emplace(*next, dashes_mm, with_bleed(page).grown(placed->extent_mm));
+    next = &*dashes;
   }
   LayerRun run(placed->layer, part);
   for (const Copy& copy : placed->slot->copies) {
@@ -93,16 +104,19 @@ Flow PlanStep::draw_all(LayerId layer, PathSink& sink, const RunOptions& options
   return Flow::go;
 }
 
-void PlanStep::add_areas(passes::Regions& regions, const RunOptions& options, const Page& page) const {
+void PlanStep::add_areas(passes::Regions& regions, const RunOptions& options, const Page& page,
+                         const CutAreas& areas) const {
   passes::Regions::Item item = placed->first_item;
   passes::RegionRecorder recorder(regions, item);
+  std::deque<passes::RegionFilter> filters;
+  PathSink* next = &clipped(recorder, areas, filters);
   // A deep zoom makes outlines long; what shows of their areas stays as it is.
   std::optional<passes::Crop> window;
-  if (options.window) window.emplace(recorder, with_bleed(page).grown(placed->extent_mm + 1.0));
-  passes::ClosedPaths areas(window ? static_cast<PathSink&>(*window) : recorder, fill_of(placed->layer.style));
+  if (options.window) next = &window.emplace(*next, with_bleed(page).grown(placed->extent_mm + 1.0));
+  passes::ClosedPaths closed(*next, fill_of(placed->layer.style));
   LayerRun run(placed->layer, part);
   for (const Copy& copy : placed->slot->copies) {
-    if (draw(copy, run, 0, areas, options, page, item) == Flow::stop) return;
+    if (draw(copy, run, 0, closed, options, page, item) == Flow::stop) return;
   }
 }
 
@@ -119,21 +133,22 @@ CutAreas cut_areas(const std::vector<PlanStep>& steps, const std::vector<PlanSte
   if (options.space == Space::model) return areas;
   RunOptions whole = options;
   whole.part_mm = Box2::everything();
-  for (const PlanStep& step : hiding) step.add_areas(areas.hiding, whole, page);
-  areas.hiding.build_index();
-  for (const PlanStep& step : steps) {
+  const auto add_clips = [&](const PlanStep& step) {
     for (const LayerClip& clip : *step.clips) {
       const auto [found, is_new] = areas.clips.try_emplace(&clip);
       if (!is_new) continue;
       passes::Regions& regions = found->second;
-      if (clip.by != nullptr) {
-        clip.by->add_areas(regions, whole, page);
-      } else {
+      for (const PlanStep& by : clip.by) by.add_areas(regions, whole, page, areas);
+      if (clip.by.empty()) {
         regions.add(0, {outline_in_window(clip.outline_mm, options, page)}, Paint::fill_nonzero);
       }
       regions.build_index();
     }
-  }
+  };
+  for (const PlanStep& step : steps) add_clips(step);
+  for (const PlanStep& step : hiding) add_clips(step);
+  for (const PlanStep& step : hiding) step.add_areas(areas.hiding, whole, page, areas);
+  areas.hiding.build_index();
   return areas;
 }
 

@@ -1,10 +1,9 @@
+#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include <burin/path/decorators.hpp>
-#include <burin/path/recording.hpp>
-#include <burin/preset/plan.hpp>
-
-#include "preset_text.hpp"
+#include "plan_text.hpp"
 #include "support/polygons.hpp"
 
 /// Layers that hide and clip others, from the preset's text to what is drawn on the page.
@@ -30,31 +29,12 @@ std::string layer(const std::string& name, const std::string& points, bool close
 const std::string row = "[-40, 5], [40, 5]";
 const std::string box = "[0, 0], [20, 0], [20, 20], [0, 20]";
 
-Result<Plan> try_plan(const std::string& text) {
-  Result<Piece> piece = load({"p.toml", page + text}, {}, {});
-  if (!piece) return piece.problems();
-  return Plan::make(*std::move(piece));
-}
-
 Plan plan_of(const std::string& text) {
-  Result<Plan> plan = try_plan(text);
-  if (!plan) throw std::runtime_error(problems_text(plan.problems()));
-  return *std::move(plan);
+  return plan_text(page + text);
 }
 
 std::string complaint(const std::string& text) {
-  const Result<Plan> plan = try_plan(text);
-  if (plan) return "";
-  Problem problem = plan.problems().front();
-  problem.source_line.clear();
-  return problem_text(problem);
-}
-
-Recording drawn(const Plan& plan, RunOptions options = {}) {
-  Recorder recorder;
-  Checked checked(recorder);
-  EXPECT_EQ(plan.run(checked, options), Flow::go);
-  return recorder.take();
+  return first_complaint(page + text);
 }
 
 /// The length of what a layer of the sheet draws.
@@ -86,6 +66,12 @@ TEST(Masks, HiddenPartsMayHaveAPenOfTheirOwn) {
   EXPECT_EQ(plan.sheet().pens[plan.sheet().layers[1].pen].name, "red");
   EXPECT_NEAR(length_of(plan, "row"), 60.0, 1e-9);
   EXPECT_NEAR(length_of(plan, "row hidden"), 20.0, 1e-9);
+}
+
+TEST(Masks, WhatIsClippedAwayHidesNothing) {
+  const std::string clip = "hide = true\nclip = { shape = \"rectangle\", width = \"20mm\", height = \"90mm\" }";
+  const Plan plan = plan_of(layer("row", row, false) + layer("box", box, true, clip));
+  EXPECT_NEAR(length_of(plan, "row"), 70.0, 1e-5);
 }
 
 TEST(Masks, ALayerMayHideAndNotBeDrawn) {
@@ -190,6 +176,32 @@ TEST(Masks, APartOfThePageHasWhatTheWholeHas) {
       EXPECT_FALSE(middle.x > 50.1 && middle.x < 69.9 && middle.y > 30.1 && middle.y < 49.9);
     }
   }
+}
+
+TEST(Masks, DashesGoOnUnderWhatHidesThem) {
+  // Dashes of 6 mm every 10 mm from x = 10 on; the box hides 50..70, which cuts the fifth, all of the sixth and a gap.
+  const std::string dashed = layer("row", row, false, "dashes = [\"6mm\", \"4mm\"]");
+  const std::string box_7mm = layer("box", "[3, 0], [22, 0], [22, 20], [3, 20]", true, "hide = true");
+  const auto dashes = [](const Plan& plan) {
+    RunOptions options;
+    options.wanted = [](const SheetLayer& sheet_layer) { return sheet_layer.name == "row"; };
+    std::vector<std::pair<double, double>> all;
+    for (const std::vector<Vec2>& contour : test::contours_of(drawn(plan, options))) {
+      all.emplace_back(std::round(1e6 * contour.front().x) / 1e6, std::round(1e6 * contour.back().x) / 1e6);
+    }
+    return all;
+  };
+  const Plan cut = plan_of(dashed + box_7mm);
+  EXPECT_TRUE(cut.sheet().layers[0].dashes_mm.empty());
+  EXPECT_EQ(dashes(cut), (std::vector<std::pair<double, double>>{
+                             {10, 16}, {20, 26}, {30, 36}, {40, 46}, {50, 53}, {72, 76}, {80, 86}}));
+  const Plan clipped = plan_of(layer("row", row, false,
+                                     "dashes = [\"6mm\", \"4mm\"]\nclip = { shape = \"rectangle\", width = "
+                                     "\"30mm\", height = \"90mm\" }"));
+  EXPECT_EQ(dashes(clipped), (std::vector<std::pair<double, double>>{{35, 36}, {40, 46}, {50, 56}, {60, 65}}));
+  // Whole lines are left to the format.
+  EXPECT_EQ(plan_of(dashed).sheet().layers[0].dashes_mm, (std::vector<double>{6.0, 4.0}));
+  EXPECT_EQ(plan_of(box_7mm + dashed).sheet().layers[1].dashes_mm, (std::vector<double>{6.0, 4.0}));
 }
 
 TEST(Masks, ModelUnitsHaveTheWholeCurves) {

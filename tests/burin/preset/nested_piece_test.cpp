@@ -1,10 +1,6 @@
 #include <string>
 
-#include <burin/path/decorators.hpp>
-#include <burin/path/recording.hpp>
-#include <burin/preset/plan.hpp>
-
-#include "preset_text.hpp"
+#include "plan_text.hpp"
 #include "support/polygons.hpp"
 
 /// Presets within presets.
@@ -29,34 +25,21 @@ const ReadFile files = [](std::string_view name) -> Result<std::string> {
   return Problem{{}, "no file '" + std::string(name) + "'"};
 };
 
-Result<Plan> try_plan(const std::string& layers) {
-  Result<Piece> piece = load({"p.toml",
-                              "burin = 1\npage = { size = \"200x200mm\", margin = \"0mm\" }\n[pens]\nblack = { width = "
-                              "\"1mm\" }\n" +
-                                  layers},
-                             {}, files);
-  if (!piece) return piece.problems();
-  return Plan::make(*std::move(piece));
-}
+const std::string page =
+    "burin = 1\npage = { size = \"200x200mm\", margin = \"0mm\" }\n[pens]\nblack = { width = \"1mm\" }\n";
 
 Plan plan_of(const std::string& layers) {
-  Result<Plan> plan = try_plan(layers);
-  if (!plan) throw std::runtime_error(problems_text(plan.problems()));
-  return *std::move(plan);
+  return plan_text(page + layers, files);
 }
 
 std::string complaint(const std::string& layers) {
-  const Result<Plan> plan = try_plan(layers);
-  return plan ? "" : plan.problems().front().message;
+  return first_complaint(page + layers, files);
 }
 
 Recording drawn(const Plan& plan, Paint paint) {
-  Recorder recorder;
-  Checked checked(recorder);
   RunOptions options;
   options.wanted = [&](const SheetLayer& layer) { return layer.paint == paint; };
-  EXPECT_EQ(plan.run(checked, options), Flow::go);
-  return recorder.take();
+  return drawn(plan, options);
 }
 
 TEST(NestedPiece, ItsLayersComeWithTheirPensAndLooks) {
@@ -113,6 +96,24 @@ TEST(NestedPiece, MistakesTeach) {
   EXPECT_NE(complaint("[[layer]]\npiece = \"art/lost\"\n").find("gone.svg"), std::string::npos);
   EXPECT_NE(complaint("[[layer]]\npiece = \"flag\"\ntext = \"a\"\n").find("give each its own layer"),
             std::string::npos);
+}
+
+TEST(NestedPiece, AllOfItClipsOthers) {
+  // Of the flag's sheet layers the line in ink encloses nothing, the red square does.
+  const std::string row =
+      "[slots]\npage = { at = \"0 0 100% 100%\", frame = [0, 0, 200, 200] }\n[[layer]]\nname = \"row\"\nslot = "
+      "\"page\"\ncurve = { family = \"two-point\", levels = 0, base = { points = [[0, 20], [200, 20]] } }\n";
+  const auto length_of = [&](const std::string& clip) {
+    const Plan plan = plan_of(row + clip + "[[layer]]\nname = \"flag\"\npiece = \"flag\"\n");
+    RunOptions options;
+    options.wanted = [](const SheetLayer& layer) { return layer.name == "row"; };
+    return test::stroke_length(drawn(plan, options));
+  };
+  const Plan plan = plan_of("[[layer]]\npiece = \"flag\"\n");
+  const Box2 square = drawn(plan, Paint::fill_nonzero).bounds();
+  const double whole = length_of("");
+  EXPECT_NEAR(length_of("clip = \"flag\"\n"), square.width(), 1e-6);
+  EXPECT_NEAR(length_of("outside = \"flag\"\n"), whole - square.width(), 1e-6);
 }
 
 }  // namespace

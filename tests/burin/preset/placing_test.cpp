@@ -3,11 +3,7 @@
 #include <set>
 #include <string>
 
-#include <burin/path/decorators.hpp>
-#include <burin/path/recording.hpp>
-#include <burin/preset/plan.hpp>
-
-#include "preset_text.hpp"
+#include "plan_text.hpp"
 
 /// Figures along curves and layered drawing, from the preset's text to what is drawn on the page.
 namespace burin::preset {
@@ -32,24 +28,12 @@ const std::string page =
     "= "
     "\"red\", width = \"0.5mm\" } }\n";
 
-Result<Plan> try_plan(const std::string& text) {
-  Result<Piece> piece = load({"p.toml", page + text}, {}, figures);
-  if (!piece) return piece.problems();
-  return Plan::make(*std::move(piece));
-}
-
 Plan plan_of(const std::string& text) {
-  Result<Plan> plan = try_plan(text);
-  if (!plan) throw std::runtime_error(problems_text(plan.problems()));
-  return *std::move(plan);
+  return plan_text(page + text, figures);
 }
 
 std::string complaint(const std::string& text) {
-  const Result<Plan> plan = try_plan(text);
-  if (plan) return "";
-  Problem problem = plan.problems().front();
-  problem.source_line.clear();
-  return problem_text(problem);
+  return first_complaint(page + text, figures);
 }
 
 std::string layer(const std::string& curve, const std::string& placing, const std::string& more = "") {

@@ -1,9 +1,9 @@
-#include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <burin/data/svg/paths.hpp>
+#include <burin/geom/dash_walk.hpp>
 
 namespace burin::data {
 
@@ -11,57 +11,35 @@ namespace {
 
 constexpr std::size_t max_dashes = 100'000;  // lines beyond are left whole
 
-/// A line cut by a pattern of dashes. Source: SVG 1.1, 11.4.
-class DashCutter {
- public:
-  explicit DashCutter(const SvgStroke& stroke) : dashes_(stroke.dashes) {
-    double total = 0.0;
-    for (const double dash : dashes_) total += dash;
-    double into = std::fmod(stroke.dash_offset, total);
-    if (into < 0.0) into += total;
-    while (into >= dashes_[at_]) {
-      into -= dashes_[at_];
-      next();
-    }
-    left_ = dashes_[at_] - into;
-  }
+double length_of(const Subpath& line) {
+  double sum = line.closed ? distance(line.points.back(), line.points.front()) : 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) sum += distance(line.points[i - 1], line.points[i]);
+  return sum;
+}
 
-  std::vector<std::vector<Vec2>> cut(const Subpath& line) {
-    if (on_) pieces_.push_back({line.points.front()});
-    const std::size_t edges = line.points.size() - (line.closed ? 0 : 1);
-    for (std::size_t i = 0; i < edges; ++i) {
-      edge(line.points[i], line.points[(i + 1) % line.points.size()]);
-    }
-    return std::move(pieces_);
-  }
-
- private:
-  void next() {
-    at_ = (at_ + 1) % dashes_.size();
-    on_ = !on_;
-    left_ = dashes_[at_];
-  }
-
-  void edge(Vec2 from, Vec2 to) {
+/// A line cut into dashes; a closed one that begins and ends in a dash has no gap there.
+std::vector<std::vector<Vec2>> dashes_of(const Subpath& line, DashWalk walk) {
+  std::vector<std::vector<Vec2>> dashes;
+  bool goes_on = false;  // the last dash reaches the point where the next edge begins
+  const std::size_t edges = line.points.size() - (line.closed ? 0 : 1);
+  for (std::size_t i = 0; i < edges; ++i) {
+    const Vec2 from = line.points[i];
+    const Vec2 to = line.points[(i + 1) % line.points.size()];
     const double size = distance(from, to);
-    double done = 0.0;
-    while (size - done > left_ && pieces_.size() < max_dashes) {
-      done += left_;
-      const Vec2 here = lerp(from, to, done / size);
-      if (on_) pieces_.back().push_back(here);
-      next();
-      if (on_) pieces_.push_back({here});
-    }
-    left_ -= size - done;
-    if (on_) pieces_.back().push_back(to);
+    bool reaches_end = size == 0.0 && goes_on;
+    walk.go(size, [&](double begin, double end) {
+      if (begin > 0.0 || !goes_on) dashes.push_back({lerp(from, to, begin / size)});
+      dashes.back().push_back(lerp(from, to, end / size));
+      reaches_end = end == size;
+    });
+    goes_on = reaches_end;
   }
-
-  const std::vector<double>& dashes_;
-  std::vector<std::vector<Vec2>> pieces_;
-  std::size_t at_ = 0;
-  bool on_ = true;
-  double left_ = 0.0;
-};
+  if (line.closed && goes_on && dashes.size() > 1 && dashes.front().front() == line.points.front()) {
+    dashes.back().insert(dashes.back().end(), dashes.front().begin() + 1, dashes.front().end());
+    dashes.erase(dashes.begin());
+  }
+  return dashes;
+}
 
 void add_area(const SvgShape& shape, std::vector<SvgPath>& paths) {
   SvgPath area{shape.fill->evenodd ? SvgPath::Paint::fill_evenodd : SvgPath::Paint::fill_nonzero, true, {}};
@@ -72,13 +50,18 @@ void add_area(const SvgShape& shape, std::vector<SvgPath>& paths) {
 }
 
 void add_strokes(const SvgShape& shape, std::vector<SvgPath>& paths) {
+  const std::vector<double>& dashes = shape.stroke->dashes;
+  std::optional<DashWalk> walk;
+  if (!dashes.empty()) walk.emplace(dashes, shape.stroke->dash_offset);
+  const double longest_px =
+      walk ? walk->period() * static_cast<double>(max_dashes) / static_cast<double>(dashes.size()) : 0.0;
   for (const Subpath& subpath : shape.subpaths) {
-    if (shape.stroke->dashes.empty() || paths.size() > max_dashes) {
+    if (subpath.points.size() > 1 && walk && length_of(subpath) < longest_px && paths.size() < max_dashes) {
+      for (std::vector<Vec2>& dash : dashes_of(subpath, *walk)) {
+        paths.push_back({SvgPath::Paint::stroke, false, {std::move(dash)}});
+      }
+    } else {
       paths.push_back({SvgPath::Paint::stroke, subpath.closed && subpath.points.size() > 1, {subpath.points}});
-      continue;
-    }
-    for (std::vector<Vec2>& dash : DashCutter(*shape.stroke).cut(subpath)) {
-      paths.push_back({SvgPath::Paint::stroke, false, {std::move(dash)}});
     }
   }
 }
