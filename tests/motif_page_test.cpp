@@ -1,9 +1,6 @@
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,26 +13,17 @@
 #include <burin/path/decorators.hpp>
 #include <burin/path/recording.hpp>
 
+#include "support/blessed_page.hpp"
+
 /// docs/motifs.md and its pictures are written from the table of named motifs and held to it here.
 namespace burin {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace curves::two_point;
 
 constexpr Page page{180.0, 74.0, 0.0, {255, 255, 255}};
 constexpr Box2 figure_area{{6.0, 6.0}, {82.0, 68.0}};
 constexpr Box2 curve_area{{98.0, 6.0}, {174.0, 68.0}};
-
-fs::path docs() {
-  return fs::path(BURIN_SOURCE_DIR) / "docs";
-}
-
-std::string read_file(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 /// The level whose curve is shown: the finest of at most 1100 edges; a fret stays an ornament.
 int shown_level(const NamedMotif& row) {
@@ -63,19 +51,12 @@ std::string picture(const NamedMotif& row) {
   sheet.made_by.title = "Motif " + std::string(row.name);
   sheet.pens.push_back({"curve", {25, 25, 25}, 0.3});
   sheet.layers.push_back({.name = "curve", .pen = sheet.pens.size() - 1});
-  StringSink bytes;
-  OutputOptions options;
-  options.paper = true;
-  options.decimals = 2;
-  const BackEnd& svg = output::back_ends().front();
-  EXPECT_EQ(svg.format, "svg");
-  const std::unique_ptr<OutputSink> sink = svg.open(bytes, sheet, options);
-  EXPECT_EQ(draw_motif_figures(*motif_figures(params.motif, std::nullopt, 0), figure_area, *sink), Flow::go);
-  Painted painted(*sink, static_cast<LayerId>(sheet.layers.size() - 1), Paint::stroke);
-  Mapped mapped(painted, page_from_model);
-  EXPECT_EQ(curves::find_family("two-point")->draw(params, {}, mapped), Flow::go);
-  EXPECT_TRUE(sink->finish().ok());
-  return bytes.take();
+  return test::page_svg(sheet, [&](PathSink& sink) {
+    EXPECT_EQ(draw_motif_figures(*motif_figures(params.motif, std::nullopt, 0), figure_area, sink), Flow::go);
+    Painted painted(sink, static_cast<LayerId>(sheet.layers.size() - 1), Paint::stroke);
+    Mapped mapped(painted, page_from_model);
+    EXPECT_EQ(curves::find_family("two-point")->draw(params, {}, mapped), Flow::go);
+  });
 }
 
 std::string section(const NamedMotif& row) {
@@ -113,33 +94,14 @@ std::string whole_page() {
   return text;
 }
 
-bool blessing() {
-  return std::getenv("BURIN_BLESS") != nullptr;
-}
-
 TEST(MotifPage, IsWrittenFromTheTable) {
-  const std::string expected = whole_page();
-  const std::string kept = read_file(docs() / "motifs.md");
-  if (blessing()) std::ofstream(docs() / "motifs.md") << expected;
-  EXPECT_EQ(kept, expected) << "run again with BURIN_BLESS=1 to write docs/motifs.md anew";
+  test::hold_file(test::docs_folder() / "motifs.md", whole_page());
 }
 
 TEST(MotifPage, ItsPicturesAreWhatTheTableDraws) {
-  const fs::path folder = docs() / "images" / "motifs";
-  if (blessing()) fs::create_directories(folder);
-  std::size_t total_bytes = 0;
-  for (const NamedMotif& row : named_motifs()) {
-    const fs::path file = folder / (std::string(row.name) + ".svg");
-    const std::string expected = picture(row);
-    const std::string kept = read_file(file);
-    if (blessing()) std::ofstream(file) << expected;
-    EXPECT_TRUE(kept == expected) << row.name << ": run again with BURIN_BLESS=1 to draw it anew";
-    total_bytes += expected.size();
-  }
-  EXPECT_LT(total_bytes, 600'000U);
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    EXPECT_NE(find_motif(entry.path().stem().string()), nullptr) << entry.path() << " shows no motif";
-  }
+  std::vector<test::PagePicture> pictures;
+  for (const NamedMotif& row : named_motifs()) pictures.push_back({std::string(row.name), picture(row)});
+  test::hold_pictures("motifs", pictures);
 }
 
 /// The canonical dump of a one-layer preset with this motif.

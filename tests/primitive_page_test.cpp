@@ -1,9 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,26 +11,17 @@
 #include <burin/primitives/library.hpp>
 #include <burin/primitives/picture.hpp>
 
+#include "support/blessed_page.hpp"
+
 /// docs/primitives.md and its pictures are written from the figures of primitives/ and held to them here.
 namespace burin {
 namespace {
 
-namespace fs = std::filesystem;
 using primitives::Primitive;
 
 constexpr Page page{30.0, 30.0, 0.0, {255, 255, 255}};
 constexpr Box2 area{{4.0, 4.0}, {26.0, 26.0}};
 constexpr double pen_mm = 0.35;
-
-fs::path docs() {
-  return fs::path(BURIN_SOURCE_DIR) / "docs";
-}
-
-std::string read_file(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 std::vector<Primitive> figures() {
   std::vector<Primitive> all;
@@ -50,16 +37,10 @@ std::vector<Primitive> figures() {
 std::string picture(const Primitive& figure) {
   Sheet sheet = primitives::picture_sheet(page, pen_mm);
   sheet.made_by.title = figure.title;
-  StringSink bytes;
-  OutputOptions options;
-  options.paper = true;
-  options.decimals = 2;
-  const BackEnd& svg = output::back_ends().front();
-  const std::unique_ptr<OutputSink> sink = svg.open(bytes, sheet, options);
-  const std::array<primitives::FigurePicture, 1> shown{{{&figure, area}}};
-  EXPECT_EQ(primitives::draw_pictures(shown, area.width(), *sink), Flow::go);
-  EXPECT_TRUE(sink->finish().ok());
-  return bytes.take();
+  return test::page_svg(sheet, [&](PathSink& sink) {
+    const std::array<primitives::FigurePicture, 1> shown{{{&figure, area}}};
+    EXPECT_EQ(primitives::draw_pictures(shown, area.width(), sink), Flow::go);
+  });
 }
 
 constexpr const char* prose =
@@ -128,37 +109,15 @@ std::string whole_page() {
   return text;
 }
 
-bool blessing() {
-  return std::getenv("BURIN_BLESS") != nullptr;
-}
-
 TEST(PrimitivePage, IsWrittenFromTheFigures) {
-  const std::string expected = whole_page();
-  const std::string kept = read_file(docs() / "primitives.md");
-  if (blessing()) std::ofstream(docs() / "primitives.md") << expected;
-  EXPECT_EQ(kept, expected) << "run again with BURIN_BLESS=1 to write docs/primitives.md anew";
+  test::hold_file(test::docs_folder() / "primitives.md", whole_page());
 }
 
 TEST(PrimitivePage, ItsPicturesAreTheFigures) {
-  const fs::path folder = docs() / "images" / "primitives";
-  if (blessing()) fs::create_directories(folder);
-  std::size_t total_bytes = 0;
-  const std::vector<Primitive> all = figures();
-  EXPECT_GE(all.size(), 48U);
-  for (const Primitive& figure : all) {
-    const fs::path file = folder / (figure.name + ".svg");
-    const std::string expected = picture(figure);
-    const std::string kept = read_file(file);
-    if (blessing()) std::ofstream(file) << expected;
-    EXPECT_TRUE(kept == expected) << figure.name << ": run again with BURIN_BLESS=1 to draw it anew";
-    total_bytes += expected.size();
-  }
-  EXPECT_LT(total_bytes, 600'000U);
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const bool is_shown = std::any_of(
-        all.begin(), all.end(), [&](const Primitive& figure) { return figure.name == entry.path().stem().string(); });
-    EXPECT_TRUE(is_shown) << entry.path() << " shows no figure";
-  }
+  std::vector<test::PagePicture> pictures;
+  for (const Primitive& figure : figures()) pictures.push_back({figure.name, picture(figure)});
+  EXPECT_GE(pictures.size(), 48U);
+  test::hold_pictures("primitives", pictures);
 }
 
 }  // namespace
