@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -39,12 +40,16 @@ std::string contents(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A page with a layer for each area and each stroke of the drawing.
+/// A page of whole pixels with a layer for each area and each stroke of the drawing, which lies in its middle.
 class IconPage {
  public:
-  explicit IconPage(const data::SvgDrawing& drawing)
-      : scale_(picture_px / std::max(drawing.size_px.x, drawing.size_px.y)) {
-    sheet_.page = {scale_ * drawing.size_px.x, scale_ * drawing.size_px.y, 0.0, {255, 255, 255}};
+  explicit IconPage(const data::SvgDrawing& drawing) {
+    const double longer = std::max(drawing.size_px.x, drawing.size_px.y);
+    const Vec2 page{std::round(picture_px * drawing.size_px.x / longer),
+                    std::round(picture_px * drawing.size_px.y / longer)};
+    scale_ = std::min(page.x / drawing.size_px.x, page.y / drawing.size_px.y);
+    offset_ = 0.5 * (page - scale_ * drawing.size_px);
+    sheet_.page = {page.x, page.y, 0.0, {255, 255, 255}};
     for (const data::SvgShape& shape : drawing.shapes) {
       if (shape.fill) add_layer(shape, data::SvgParts::fills, shape.fill->color, 0.1, shape.fill->opacity);
       if (!shape.stroke) continue;
@@ -90,7 +95,7 @@ class IconPage {
   }
 
   Flow draw(PathSink& sink) const {
-    Mapped mapped(sink, scaling(scale_, scale_));
+    Mapped mapped(sink, translation(offset_) * scaling(scale_, scale_));
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       for (const data::SvgPath& path : paths_[i]) {
         const PathHead head{.layer = static_cast<LayerId>(i), .paint = paint_of(path), .closed = path.closed};
@@ -100,7 +105,8 @@ class IconPage {
     return Flow::go;
   }
 
-  double scale_;
+  double scale_ = 1.0;
+  Vec2 offset_;
   Sheet sheet_;
   std::vector<std::vector<data::SvgPath>> paths_;
 };
