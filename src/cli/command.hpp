@@ -40,6 +40,7 @@ Command primitives_command();
 Command measure_command();
 Command golden_command();
 Command diff_command();
+Command fit_command();
 
 /// All commands, in the order of the help.
 std::span<const Command> commands();

@@ -6,10 +6,10 @@
 namespace burin::cli {
 
 std::span<const Command> commands() {
-  static const std::array table{draw_command(),      sheet_command(),   redraw_command(), watch_command(),
-                                list_command(),      show_command(),    check_command(),  measure_command(),
-                                new_command(),       gallery_command(), golden_command(), diff_command(),
-                                primitives_command()};
+  static const std::array table{draw_command(),       sheet_command(),   redraw_command(), watch_command(),
+                                list_command(),       show_command(),    check_command(),  measure_command(),
+                                new_command(),        gallery_command(), golden_command(), diff_command(),
+                                primitives_command(), fit_command()};
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include <burin/curves/family.hpp>
 #include <burin/curves/four_parameter.hpp>
 #include <burin/curves/four_point.hpp>
+#include <burin/curves/fractal_interpolation/fractal_interpolation.hpp>
 #include <burin/curves/line_art/line_art.hpp>
 #include <burin/curves/shape.hpp>
 #include <burin/curves/svg/svg.hpp>
@@ -15,9 +16,17 @@
 namespace burin::curves {
 
 std::span<const Family> catalogue() {
-  static const std::array<Family, 9> families{
-      two_point_family(),         de_rham_family(), four_point_family(), four_parameter_family(), line_art_family(),
-      line_art_boundary_family(), text_family(),    svg_family(),        shape_family(),
+  static const std::array<Family, 10> families{
+      two_point_family(),
+      de_rham_family(),
+      four_point_family(),
+      four_parameter_family(),
+      fractal_interpolation_family(),
+      line_art_family(),
+      line_art_boundary_family(),
+      text_family(),
+      svg_family(),
+      shape_family(),
   };
   return families;
 }

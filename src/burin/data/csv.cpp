@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <burin/base/number_text.hpp>
@@ -50,8 +52,15 @@ bool is_header(const std::vector<std::string_view>& fields) {
   return std::none_of(fields.begin(), fields.end(), [](std::string_view f) { return parse_number(f).has_value(); });
 }
 
-bool is_named(std::string_view field, char name) {
-  return field.size() == 1 && (field[0] == name || field[0] == name - 'a' + 'A');
+/// What columns of coordinates are called.
+constexpr std::array<std::string_view, 4> x_names{"x", "lon", "long", "longitude"};
+constexpr std::array<std::string_view, 3> y_names{"y", "lat", "latitude"};
+
+bool is_named(std::string_view field, std::span<const std::string_view> names) {
+  const auto same_letter = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+    return std::equal(field.begin(), field.end(), name.begin(), name.end(), same_letter);
+  });
 }
 
 struct Columns {
@@ -60,13 +69,13 @@ struct Columns {
   std::vector<std::size_t> of_path{};  ///< those called layer and path: a new path where one of them changes
 };
 
-/// The columns called x and y; the first two when one of the names is missing.
+/// The columns with names of x and of y; the first two when one of the names is missing.
 Columns columns_of(const std::vector<std::string_view>& header) {
-  const auto find = [&](char name) {
-    return std::find_if(header.begin(), header.end(), [&](std::string_view f) { return is_named(f, name); });
+  const auto find = [&](std::span<const std::string_view> names) {
+    return std::find_if(header.begin(), header.end(), [&](std::string_view f) { return is_named(f, names); });
   };
-  const auto x = find('x');
-  const auto y = find('y');
+  const auto x = find(x_names);
+  const auto y = find(y_names);
   Columns columns;
   if (x != header.end() && y != header.end()) {
     columns.x = static_cast<std::size_t>(x - header.begin());
@@ -96,10 +105,10 @@ class Reader {
     return problems_.size() < max_problems && !full_;
   }
 
-  Result<std::vector<Vec2>> result() && {
+  Result<CsvPoints> result() && {
     if (!problems_.empty()) return std::move(problems_);
-    if (points_.empty()) return Problem{{file_}, "has no points; expected one 'x,y' a line"};
-    return std::move(points_);
+    if (found_.points.empty()) return Problem{{file_}, "has no points; expected one 'x,y' a line"};
+    return std::move(found_);
   }
 
   /// Where the paths begin.
@@ -117,13 +126,14 @@ class Reader {
     const std::optional<double> x = coordinate(line, number, columns_.x);
     const std::optional<double> y = coordinate(line, number, columns_.y);
     if (!x || !y) return;
-    if (points_.size() == max_points) {
+    if (found_.points.size() == max_points) {
       problems_.push_back({{file_, number, 1}, "more than 10000000 points; thin the file out", Trouble::limit});
       full_ = true;
       return;
     }
-    if (is_new_path()) starts_.push_back(points_.size());
-    points_.push_back({*x, *y});
+    if (is_new_path()) starts_.push_back(found_.points.size());
+    found_.points.push_back({*x, *y});
+    found_.lines.push_back(number);
   }
 
   bool is_new_path() {
@@ -131,7 +141,7 @@ class Reader {
     for (const std::size_t column : columns_.of_path) {
       if (column < fields_.size()) path += std::string(fields_[column]) + '\n';
     }
-    if (!points_.empty() && path == path_) return false;
+    if (!found_.points.empty() && path == path_) return false;
     path_ = std::move(path);
     return true;
   }
@@ -151,7 +161,7 @@ class Reader {
   std::optional<char> separator_;
   Columns columns_;
   std::vector<std::string_view> fields_;
-  std::vector<Vec2> points_;
+  CsvPoints found_;
   std::vector<std::size_t> starts_;
   std::string path_;  ///< what the columns of the path say
   Problems problems_;
@@ -171,23 +181,30 @@ void read_lines(std::string_view text, Reader& reader) {
 
 }  // namespace
 
-Result<std::vector<Vec2>> read_csv_points(std::string_view text, const std::string& file) {
+Result<CsvPoints> read_csv_lines(std::string_view text, const std::string& file) {
   Reader reader(file);
   read_lines(text, reader);
   return std::move(reader).result();
+}
+
+Result<std::vector<Vec2>> read_csv_points(std::string_view text, const std::string& file) {
+  Result<CsvPoints> read = read_csv_lines(text, file);
+  if (!read) return read.problems();
+  return std::move(read->points);
 }
 
 Result<std::vector<std::vector<Vec2>>> read_csv_paths(std::string_view text, const std::string& file) {
   Reader reader(file);
   read_lines(text, reader);
   const std::vector<std::size_t> starts = reader.starts();
-  const Result<std::vector<Vec2>> points = std::move(reader).result();
-  if (!points) return points.problems();
+  const Result<CsvPoints> read = std::move(reader).result();
+  if (!read) return read.problems();
+  const std::vector<Vec2>& points = read->points;
   std::vector<std::vector<Vec2>> paths;
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : points->size();
-    paths.emplace_back(points->begin() + static_cast<std::ptrdiff_t>(starts[i]),
-                       points->begin() + static_cast<std::ptrdiff_t>(end));
+    const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : points.size();
+    paths.emplace_back(points.begin() + static_cast<std::ptrdiff_t>(starts[i]),
+                       points.begin() + static_cast<std::ptrdiff_t>(end));
   }
   return paths;
 }

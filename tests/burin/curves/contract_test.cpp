@@ -87,6 +87,14 @@ std::vector<std::string> cases_of(std::string_view family) {
             R"({"levels": 4, "base": {"points": [[1, 1], [1, 1]], "closed": true}})",
             R"({"lambda": -1, "mu": 3, "nu": 2, "omega": -2, "levels": 5, "base": {"path": "M0 0h1v1z M3 0h1v1"}})"};
   }
+  if (family == "fractal-interpolation") {
+    return {
+        R"({"points": [[0, 0], [1, 2], [3, 1]]})",
+        R"({"points": [[0, 0], [1, 1e-300], [2, 0]], "levels": 0, "scaling": 0.999999})",
+        R"({"points": [[0, 0], [1, 0], [1, 1]], "closed": true, "levels": 4, "scaling": [[0.5, 0.4], -0.7, 0.1]})",
+        R"({"points": [[0, 0], [1, 3], [2, 1], [4, 2], [5, 0]], "block": 2, "part": [0.1, 0.7], "plot": "nodes"})",
+        R"({"points": [[0, 0], [1, 3], [2, 1], [4, 2]], "plot": "error", "exact": "x^2", "alpha": 0, "beta": 1e12})"};
+  }
   if (family == "line-art") return line_art_cases();
   if (family == "line-art-boundary") return line_art_boundary_cases();
   if (family == "svg") return {R"({"file": "drawing.svg"})", R"({"file": "drawing.svg", "parts": "outlines"})"};
