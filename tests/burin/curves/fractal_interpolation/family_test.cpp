@@ -161,11 +161,9 @@ EXPECT_EQ(nodes.all_points()[4], (Vec2{0.5, 0.4794}));
 const std::vector<Vec2> change =
     drawn(sine + R"(, "plot": "perturbation", "perturbation": [0.002, -0.001, 0.0015, -0.002, 0.001]})");
 std::string moved = sine;
-for (const auto& [from, to] : {std::pair{"0.0998", "0.1018"},
-                               {"0.1987", "0.1977"},
-                               {"0.2955", "0.297"},
-                               {"0.3894", "0.3874"},
-                               {"0.4794", "0.4804"}}) {
+for (const auto& [from, to] :
+     {std::pair{"0.0998", "0.1018"}, std::pair{"0.1987", "0.1977"}, std::pair{"0.2955", "0.297"},
+      std::pair{"0.3894", "0.3874"}, std::pair{"0.4794", "0.4804"}}) {
   moved.replace(moved.find(from), 6, to);
 }
 const std::vector<Vec2> star = drawn(moved + "}");

@@ -80,7 +80,8 @@ TEST(Fit, CollageAtTheTrueShapeFindsTheTrueScaling) {
   const json fit = testing::reference("interpolation.json")["fit"];
   const KnownData known = known_data();
   ASSERT_EQ(known.t.size(), fit["data_count"].get<std::size_t>());
-  for (const auto& [name, coefficients] : {std::pair{"collage_fixed_shape_K2", 2U}, {"collage_fixed_shape_K1", 1U}}) {
+  for (const auto& [name, coefficients] :
+       {std::pair{"collage_fixed_shape_K2", 2U}, std::pair{"collage_fixed_shape_K1", 1U}}) {
     const CoordinateFit found = collage_fit(known.dense(), known.truth.derivatives, known.truth.shapes, coefficients);
     const json& expected = fit[name];
     for (std::size_t i = 0; i < found.data.scalings.size(); ++i) {
