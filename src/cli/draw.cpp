@@ -27,6 +27,7 @@ constexpr std::array examples{
 
 ExitCode tell(const SeriesOutcome& outcome, const DrawRequest& request, const Console& console) {
   if (request.quiet) return ExitCode::done;
+  for (const std::string& warning : outcome.warnings) console.note(warning + '\n');
   if (!outcome.uses_seed) console.note(seed_warning(request));
   if (!request.writes_stdout()) return console.print(outcome.all.report);
   console.note(outcome.all.report);

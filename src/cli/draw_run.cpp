@@ -98,7 +98,7 @@ DrawOutcome DrawOutcome::failed(Problems problems) {
 Result<ReadyPiece> make_ready(PresetText preset, const preset::Overrides& overrides, const ReadFile& read_file) {
   Result<preset::Piece> piece = preset::load(preset.source, overrides, read_file);
   if (!piece) return piece.problems();
-  ReadPiece read{piece->about, piece->seed, piece->data};
+  ReadPiece read{piece->about, piece->seed, piece->data, piece->warnings};
   Result<preset::Plan> plan = preset::Plan::make(*std::move(piece));
   if (!plan) return with_source(plan.problems(), preset);
   return ReadyPiece{std::move(preset), std::move(read), *std::move(plan)};

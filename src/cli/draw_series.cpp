@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <system_error>
@@ -21,6 +22,7 @@ struct Drawn {
   DrawOutcome outcome;
   bool begun = false;
   bool uses_seed = false;
+  std::vector<std::string> warnings{};
 };
 
 Problems make_folders(const std::vector<RequestedOutput>& outputs) {
@@ -51,6 +53,7 @@ SeriesOutcome draw_series(const PresetText& preset, const DrawRequest& request, 
     const Result<ReadyPiece> piece = make_ready(preset, one.overrides, data_reader(preset.folder));
     if (!piece) return DrawOutcome::failed(piece.problems());
     drawn[index].uses_seed = piece->plan.uses_seed();
+    drawn[index].warnings = piece->read.warnings;
     if (outputs.makes_folders) {
       if (Problems problems = make_folders(one.outputs); !problems.empty()) return DrawOutcome::failed(problems);
     }
@@ -72,6 +75,10 @@ SeriesOutcome draw_series(const PresetText& preset, const DrawRequest& request, 
   SeriesOutcome outcome;
   for (const Drawn& one : drawn) {
     if (!one.begun) continue;
+    for (const std::string& warning : one.warnings) {
+      const bool told = std::find(outcome.warnings.begin(), outcome.warnings.end(), warning) != outcome.warnings.end();
+      if (!told) outcome.warnings.push_back(warning);
+    }
     if (outcome.all.code == ExitCode::done) outcome.all.code = one.outcome.code;
     outcome.all.report += one.outcome.report;
     outcome.finished += one.outcome.code == ExitCode::done ? 1 : 0;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <burin/base/executor.hpp>
 #include <cli/draw_run.hpp>
@@ -11,9 +12,10 @@ namespace burin::cli {
 
 /// How the results of a series ended.
 struct SeriesOutcome {
-  DrawOutcome all;           ///< code of the first result, by number, that failed; problems of all of them
-  std::size_t finished = 0;  ///< results whose files are complete
-  bool uses_seed = false;    ///< whether another seed changes one of them
+  DrawOutcome all;                      ///< code of the first result, by number, that failed; problems of all of them
+  std::size_t finished = 0;             ///< results whose files are complete
+  bool uses_seed = false;               ///< whether another seed changes one of them
+  std::vector<std::string> warnings{};  ///< of all of them, each once
 };
 
 /// Draws every result of the series into its outputs. Each stands for itself: where one fails the others are still

@@ -107,10 +107,7 @@ Result<fractal::SourcePoints> read_data(const FitRequest& request, const std::st
   }
   if (request.lonlat) fractal::project_from_degrees(source->points);
   if (const fractal::Repetitions repeated = fractal::drop_repeated(*source); repeated.count > 0) {
-    console.note(fmt::format("{}:{}: warning: {} dropped that {} the point before\n", repeated.first.file,
-                             repeated.first.line,
-                             repeated.count == 1 ? "1 point is" : fmt::format("{} points are", repeated.count),
-                             repeated.count == 1 ? "repeats" : "repeat"));
+    console.note(fractal::warning_of(repeated) + '\n');
   }
   if (request.closed) fractal::close_up(*source);
   const std::size_t count = source->points.size();

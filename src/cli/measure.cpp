@@ -70,6 +70,21 @@ std::string rows_text(const Rows& rows) {
   return text;
 }
 
+std::string smoothness_text(const curves::Smoothness& smoothness) {
+  std::string text = smoothness.proven < 0 ? "nothing proven" : fmt::format("C{} proven", smoothness.proven);
+  if (smoothness.excluded) text += fmt::format(", C{} excluded", *smoothness.excluded);
+  if (smoothness.exponent_high && *smoothness.exponent_high <= 0.0) return text;
+  text += fmt::format(", H\u00f6lder exponent from {:.4f}", smoothness.exponent_low);
+  return smoothness.exponent_high ? fmt::format("{} to {:.4f}", text, *smoothness.exponent_high) : text;
+}
+
+std::string dimension_text(const curves::FractalDimension& dimension) {
+  std::string text = fmt::format("{:.4f} to {:.4f}", dimension.bounds.lower, dimension.bounds.upper);
+  if (dimension.spectral) text += fmt::format(", spectral {:.4f}", *dimension.spectral);
+  if (dimension.oscillation) text += fmt::format(", oscillations {:.4f}", *dimension.oscillation);
+  return dimension.certificate ? fmt::format("{}, growth certified at level {}", text, *dimension.certificate) : text;
+}
+
 Rows curve_rows(const Measured& measured) {
   const PathFigures& f = measured.figures;
   const std::string& units = measured.source.units;
@@ -93,8 +108,13 @@ Rows curve_rows(const Measured& measured) {
                                   fit.is_of_few_edges ? ", of so few edges that of the polyline itself" : ""));
   }
   for (const KnownCurve& curve : measured.source.known) {
-    if (!curve.similarity_dimension) continue;
-    rows.emplace_back("similarity dimension", fmt::format("{:.6f} ({})", *curve.similarity_dimension, curve.layer));
+    const auto add = [&](const char* name, const std::string& text) {
+      rows.emplace_back(name, fmt::format("{} ({})", text, curve.layer));
+    };
+    const curves::LimitFacts& facts = curve.facts;
+    if (facts.similarity_dimension) add("similarity dimension", fmt::format("{:.6f}", *facts.similarity_dimension));
+    if (facts.smoothness) add("smoothness", smoothness_text(*facts.smoothness));
+    if (facts.fractal_dimension) add("fractal dimension", dimension_text(*facts.fractal_dimension));
   }
   if (measured.distance) {
     const CurveDistance& d = *measured.distance;
@@ -143,6 +163,15 @@ void add_paths(JsonObject& json, const PathFigures& f) {
   json.add("bend_degrees", f.bend_degrees);
 }
 
+template <class T>
+void add_optional(JsonObject& json, const char* key, const std::optional<T>& value) {
+  if (value) {
+    json.add(key, *value);
+  } else {
+    json.add_json(key, "null");
+  }
+}
+
 std::string page_json(const MeasuredPage& page) {
   JsonObject json;
   json.add("width_mm", page.width_mm);
@@ -157,6 +186,40 @@ std::string page_json(const MeasuredPage& page) {
   json.add("empty_windows", page.ink.empty);
   json.add("darkest_window", page.ink.darkest);
   return json.text();
+}
+
+std::string smoothness_json(const curves::Smoothness& smoothness) {
+  JsonObject json;
+  json.add("proven", smoothness.proven);
+  add_optional(json, "excluded", smoothness.excluded);
+  json.add("exponent_low", smoothness.exponent_low);
+  add_optional(json, "exponent_high", smoothness.exponent_high);
+  return json.text();
+}
+
+std::string dimension_json(const curves::FractalDimension& dimension) {
+  JsonObject json;
+  json.add("lower", dimension.bounds.lower);
+  json.add("upper", dimension.bounds.upper);
+  add_optional(json, "spectral", dimension.spectral);
+  add_optional(json, "oscillation", dimension.oscillation);
+  add_optional(json, "certificate", dimension.certificate);
+  return json.text();
+}
+
+/// What theory knows, by layer.
+void add_known(JsonObject& json, const std::vector<KnownCurve>& known) {
+  JsonObject similarity;
+  JsonObject smoothness;
+  JsonObject dimensions;
+  for (const KnownCurve& curve : known) {
+    if (curve.facts.similarity_dimension) similarity.add(curve.layer, *curve.facts.similarity_dimension);
+    if (curve.facts.smoothness) smoothness.add_json(curve.layer, smoothness_json(*curve.facts.smoothness));
+    if (curve.facts.fractal_dimension) dimensions.add_json(curve.layer, dimension_json(*curve.facts.fractal_dimension));
+  }
+  json.add_json("similarity_dimension", similarity.text());
+  json.add_json("smoothness", smoothness.text());
+  json.add_json("fractal_dimension", dimensions.text());
 }
 
 std::string as_json(const Measured& measured) {
@@ -177,11 +240,7 @@ std::string as_json(const Measured& measured) {
   } else {
     json.add_json("box_dimension", "null");
   }
-  JsonObject dimensions;
-  for (const KnownCurve& curve : measured.source.known) {
-    if (curve.similarity_dimension) dimensions.add(curve.layer, *curve.similarity_dimension);
-  }
-  if (!measured.source.known.empty()) json.add_json("similarity_dimension", dimensions.text());
+  if (measured.source.page) add_known(json, measured.source.known);
   if (measured.distance) {
     json.add("rmse", measured.distance->rmse);
     json.add("farthest", measured.distance->farthest);
@@ -289,6 +348,9 @@ Command measure_command() {
       "The box dimension is the slope of a line fitted to the logarithms of how many boxes of a grid the drawing "
       "meets: boxes from 1/8 of its longer side down to 1/256, but not smaller than two edges, each count the mean "
       "of nine positions of the grid. The error is the slope's standard error; that of the method is about 0.02.\n\n"
+      "Of a preset's curves theory is told, too: the similarity dimension of two-point curves, how smooth the limit of "
+      "a subdivision or interpolation is proven and excluded to be, and bounds of a fractal interpolation's "
+      "dimension.\n\n"
       "Ink and air are seen on the page drawn in black at 8 dots a millimetre.\n\n"
       "--against holds every point of the longest stroke against the point of the other file's longest stroke at "
       "the same share of its length.",

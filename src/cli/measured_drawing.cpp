@@ -1,11 +1,8 @@
 #include <algorithm>
-#include <any>
 #include <memory>
 #include <utility>
 
 #include <burin/burin.hpp>
-#include <burin/curves/two_point/dimension.hpp>
-#include <burin/curves/two_point/two_point.hpp>
 #include <burin/data/csv.hpp>
 #include <burin/data/image.hpp>
 #include <burin/data/svg/drawing.hpp>
@@ -71,16 +68,16 @@ Result<MeasuredDrawing> read_svg_file(const std::string& path) {
   return MeasuredDrawing{path, "px", recorder.take(), {}, {}};
 }
 
-bool is_asked_for(const SheetLayer& layer, const DrawRequest& request) {
+bool is_asked_for(const std::string& layer, const DrawRequest& request) {
   const auto names_it = [&](const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), layer.name) != names.end();
+    return std::find(names.begin(), names.end(), layer) != names.end();
   };
   return (request.only.empty() || names_it(request.only)) && !names_it(request.skip);
 }
 
 /// Whether the layer shows the lines of what is asked for, each line once: a stroke, or a fill where there is none.
 bool shows_lines(const SheetLayer& layer, const Sheet& sheet, const DrawRequest& request) {
-  if (!is_asked_for(layer, request)) return false;
+  if (!is_asked_for(layer.name, request)) return false;
   return layer.paint == Paint::stroke ||
          std::none_of(sheet.layers.begin(), sheet.layers.end(), [&](const SheetLayer& other) {
            return other.name == layer.name && other.paint == Paint::stroke;
@@ -120,7 +117,7 @@ Result<MeasuredPage> measure_page(const preset::Plan& plan, const preset::PageSp
   measured.paths = figures.figures();
 
   preset::RunOptions everything;
-  everything.wanted = [&request](const SheetLayer& layer) { return is_asked_for(layer, request); };
+  everything.wanted = [&request](const SheetLayer& layer) { return is_asked_for(layer.name, request); };
   const double dots_per_mm = std::min(ink_dots_per_mm, most_dots / std::max(measured.width_mm, measured.height_mm));
   const Result<data::Image> picture = black_and_white(plan, everything, dots_per_mm);
   if (!picture) return picture.problems();
@@ -151,11 +148,8 @@ Result<MeasuredDrawing> measure_preset(const DrawRequest& request) {
   static_cast<void>(plan->run(recorder, lines));
   measured.drawing = recorder.take();
   for (const preset::Layer& layer : piece->layers) {
-    KnownCurve known{layer.style.name, std::string(layer.family->name), std::nullopt};
-    if (const auto* curve = std::any_cast<curves::TwoPointParams>(&layer.parameters)) {
-      known.similarity_dimension = curves::two_point::similarity_dimension(curve->motif);
-    }
-    measured.known.push_back(std::move(known));
+    if (layer.family->limit_facts == nullptr || !is_asked_for(layer.style.name, request)) continue;
+    measured.known.push_back({layer.style.name, layer.family->limit_facts(layer.parameters)});
   }
   Result<MeasuredPage> page = measure_page(*plan, piece->page, lines, request);
   if (!page) return page.problems();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <burin/base/result.hpp>
+#include <burin/curves/limit_facts.hpp>
 #include <burin/measure/box_dimension.hpp>
 #include <burin/measure/page_ink.hpp>
 #include <burin/measure/path_figures.hpp>
@@ -17,8 +18,7 @@ namespace burin::cli {
 /// What is known of a layer's curve beside its points.
 struct KnownCurve {
   std::string layer;
-  std::string family;
-  std::optional<double> similarity_dimension;
+  curves::LimitFacts facts;
 };
 
 /// A drawing as it lies on its page.

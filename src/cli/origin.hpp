@@ -17,6 +17,7 @@ struct ReadPiece {
   preset::About about;
   std::uint64_t seed = 1;
   std::vector<params::DataDigest> data;
+  std::vector<std::string> warnings{};  ///< for people
 };
 
 /// What goes into a file so that it can be drawn again: the text of the preset and every choice of the command line

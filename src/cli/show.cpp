@@ -69,12 +69,13 @@ ExitCode show_family(const curves::Family& family, const std::vector<std::string
     }
     values.emplace_back(text.substr(0, equals), text.substr(equals + 1));
   }
+  // Without data some families have nothing to draw; their parameters are told all the same.
   const Result<std::any> parameters = preset::family_parameters(family, values, data_reader("."));
-  if (!parameters) return console.fail(parameters.problems());
+  if (!parameters && !given.empty()) return console.fail(parameters.problems());
   std::string text = fmt::format("{}: {}\n", family.name, family.summary);
   if (!family.source.empty()) text += wrapped(fmt::format("source: {}", family.source), 0, 0);
   if (given.empty()) text += '\n' + fields_text(family.fields());
-  if (family.theory == nullptr) {
+  if (family.theory == nullptr || !parameters) {
     if (given.empty()) return console.print(text);
     const std::string advice = fmt::format("of '{}' nothing is computed from parameters; leave out -D", family.name);
     return console.fail_usage({Problem{{"burin show"}, advice}}, "burin show");

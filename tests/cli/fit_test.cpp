@@ -89,6 +89,21 @@ TEST(Fit, DropsRepeatedPointsWithACountedWarning) {
   EXPECT_TRUE(contains(run.err, "twice.csv:2: warning: 3 points are dropped that repeat the point before")) << run.err;
 }
 
+TEST(Fit, PresetsWarnOfRepeatedPointsToo) {
+  const TemporaryFolder folder;
+  folder.write("twice.csv", "0,0\n" + arch(30));
+  folder.write("it.toml",
+               "burin = 1\n[[layer]]\ncurve = { family = \"fractal-interpolation\", data = \"twice.csv\" }\n"
+               "[[layer]]\nname = \"again\"\ncurve = { family = \"fractal-interpolation\", data = \"twice.csv\", "
+               "levels = 0 }\n");
+  const std::string warning = "twice.csv:2: warning: 1 point is dropped that repeats the point before\n";
+  EXPECT_EQ(burin_in(folder, {"check", "it.toml"}).err, warning);
+  const Finished draw = burin_in(folder, {"draw", "it.toml", "-o", "it.svg"});
+  EXPECT_EQ(draw.code, 0);
+  EXPECT_TRUE(contains(draw.err, warning)) << draw.err;
+  EXPECT_EQ(burin_in(folder, {"draw", "it.toml", "-q", "-o", "it.svg"}).err, "");
+}
+
 TEST(Fit, BadDataIsToldWithItsLine) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& text) {

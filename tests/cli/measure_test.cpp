@@ -99,6 +99,59 @@ TEST(Measure, HowFarACurveIsFromAnother) {
   EXPECT_DOUBLE_EQ(file["rmse_of_longer_side"].get<double>(), 0.3);
 }
 
+/// A preset of one curve with this text of its own, called "it".
+std::string preset_of(const std::string& curve) {
+  return "burin = 1\n[[layer]]\nname = \"it\"\n[layer.curve]\n" + curve;
+}
+
+const std::string rough_graph = R"(family = "fractal-interpolation"
+points = [[0, 0], [0.25, 0.8], [0.5, 0.2], [0.75, 1], [1, 0.3]]
+alpha = 1.5
+beta = 0.7
+)";
+
+TEST(Measure, TellsHowSmoothTheLimitIs) {
+  const TemporaryFolder folder;
+  const auto smoothness = [&](const std::string& curve) {
+    folder.write("it.toml", preset_of(curve));
+    return measured(folder, {"it.toml"})["smoothness"]["it"];
+  };
+  const nlohmann::json classical = smoothness("family = \"four-point\"\nw = 0.0625\nbase = \"square\"\n");
+  EXPECT_EQ(classical["proven"], 1);
+  EXPECT_EQ(classical["excluded"], 2);
+  EXPECT_NEAR(classical["exponent_high"].get<double>(), 2.0, 1e-6);
+  EXPECT_EQ(smoothness("family = \"de-rham\"\nt = 1.2\n")["excluded"], 0);
+  EXPECT_EQ(smoothness("family = \"four-parameter\"\nlambda = 0.125\nmu = 0.125\nomega = 0\n")["proven"], 2);
+  EXPECT_EQ(smoothness(rough_graph + "scaling = 0.2\n")["proven"], 1);
+  EXPECT_TRUE(smoothness(rough_graph + "scaling = 0.2\n")["excluded"].is_null());
+  EXPECT_EQ(smoothness(rough_graph + "scaling = 0.5\n")["excluded"], 1);
+  const Finished text = burin_in(folder, {"measure", "it.toml"});
+  EXPECT_NE(text.out.find("C0 proven, C1 excluded, H\u00f6lder exponent from 0.5000 to 0.5000 (it)"), std::string::npos)
+      << text.out;
+}
+
+TEST(Measure, TellsBoundsOfAFractalInterpolationsDimension) {
+  const TemporaryFolder folder;
+  const auto dimension = [&](const std::string& curve) {
+    folder.write("it.toml", preset_of(curve));
+    return measured(folder, {"it.toml"})["fractal_dimension"]["it"];
+  };
+  const nlohmann::json constant = dimension(rough_graph + "scaling = 0.5\n");
+  for (const char* key : {"lower", "upper", "spectral"}) EXPECT_NEAR(constant[key].get<double>(), 1.5, 1e-9) << key;
+  EXPECT_EQ(constant["certificate"], 3);
+  const nlohmann::json linear = dimension(rough_graph + "scaling = [[0.5, 0.4]]\n");
+  EXPECT_NEAR(linear["upper"].get<double>(), 1.924, 5e-4);
+  EXPECT_NEAR(linear["spectral"].get<double>(), 1.5460, 1e-4);
+  EXPECT_EQ(linear["lower"], 1);
+  const nlohmann::json contour = dimension(rough_graph + "scaling = 0.4\nover = \"chords\"\nlevels = 1\n");
+  EXPECT_TRUE(contour["spectral"].is_null());
+  EXPECT_GT(contour["upper"].get<double>(), 1.5);
+  // A part of a curve and what is no curve have none.
+  EXPECT_TRUE(dimension(rough_graph + "part = [0.2, 0.3]\n").is_null());
+  EXPECT_TRUE(dimension(rough_graph + "plot = \"nodes\"\n").is_null());
+  EXPECT_TRUE(measured(folder, {"koch"})["fractal_dimension"].empty());
+}
+
 TEST(Measure, ThePlotIsAPictureOfTheCounts) {
   const TemporaryFolder folder;
   ASSERT_EQ(burin_in(folder, {"measure", "koch", "--plot", "plot.svg"}).code, 0);

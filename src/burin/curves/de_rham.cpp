@@ -32,6 +32,10 @@ namespace {
 
 using namespace subdivision;
 
+std::vector<double> mask_of(double t) {
+  return {t, 1.0 - t, 1.0 - t, t};
+}
+
 /// A piece is the corner at the window's middle point, from the first of the points it becomes to the first of those
 /// that the next corner becomes.
 class CornerCut {
@@ -182,6 +186,10 @@ struct DeRhamFamily {
 
   static bool uses_seed(const Params&) { return false; }
 
+  static LimitFacts limit_facts(const Params& params) {
+    return {.smoothness = classify(mask_of(near_t(params))).smoothness()};
+  }
+
   static std::string theory(const Params& params) {
     const double t = near_t(params);
     const double radius = de_rham_spectral_radius(t);
@@ -191,7 +199,7 @@ struct DeRhamFamily {
     } else {
       text += "does not converge to a continuous curve for all bases: that is so just for 0 < t < 1\n";
     }
-    return text + convergence_text(classify({t, 1.0 - t, 1.0 - t, t}));
+    return text + convergence_text(classify(mask_of(t)));
   }
 };
 

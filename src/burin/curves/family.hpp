@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <burin/curves/limit_facts.hpp>
 #include <burin/params/fields.hpp>
 #include <burin/path/draw_context.hpp>
 #include <burin/path/path_sink.hpp>
@@ -42,6 +43,9 @@ struct Family {
   /// What is known of the limit for these parameters, line by line, for "burin show"; null: nothing.
   std::string (*theory)(const std::any& parameters);
 
+  /// The same and more for programs; null: nothing.
+  LimitFacts (*limit_facts)(const std::any& parameters);
+
   /// Which points of each path the level before had already: those whose index, from 0, is a multiple of this. 0: none.
   std::uint64_t (*retained_every)(const std::any& parameters);
 
@@ -60,7 +64,8 @@ const Family* read_family(const params::Table& table, const Where& where, params
 
 /// A row for the catalogue from a struct F that holds a family's functions: `using Params`, and static check
 /// (cross-field rules; false after reporting), bounds, forecast, draw and uses_seed, all for Params instead of
-/// std::any; theory, if there is one, and retained_every, where a level keeps the points of the one before.
+/// std::any; theory and limit_facts, if there is any, and retained_every, where a level keeps the points of the one
+/// before.
 template <class F>
 Family make_family(std::string_view name, std::string_view summary, std::string_view source,
                    std::string_view cost_knob) {
@@ -69,6 +74,10 @@ Family make_family(std::string_view name, std::string_view summary, std::string_
   std::string (*theory)(const std::any&) = nullptr;
   if constexpr (requires(const P& p) { F::theory(p); }) {
     theory = [](const std::any& p) { return F::theory(*std::any_cast<P>(&p)); };
+  }
+  LimitFacts (*limit_facts)(const std::any&) = nullptr;
+  if constexpr (requires(const P& p) { F::limit_facts(p); }) {
+    limit_facts = [](const std::any& p) { return F::limit_facts(*std::any_cast<P>(&p)); };
   }
   return {
       .name = name,
@@ -90,6 +99,7 @@ Family make_family(std::string_view name, std::string_view summary, std::string_
                  PathSink& sink) { return F::draw(*std::any_cast<P>(&p), context, sink); },
       .uses_seed = [](const std::any& p) { return F::uses_seed(*std::any_cast<P>(&p)); },
       .theory = theory,
+      .limit_facts = limit_facts,
       .retained_every = [](const std::any& p) -> std::uint64_t {
         if constexpr (requires(const P& params) { F::retained_every(params); }) {
           return F::retained_every(*std::any_cast<P>(&p));

@@ -58,6 +58,10 @@ namespace {
 
 using namespace subdivision;
 
+std::vector<double> mask_of(const FourParameterParams& params) {
+  return four_parameter_mask(params.lambda, params.mu, params.nu, params.omega);
+}
+
 /// Two ghosts at each side, which are refined like other points.
 Control<Vec2> open_control(const std::vector<Vec2>& points, GhostRule rule) {
   if (rule == GhostRule::given) return {points, false, FourTap::start, FourTap::window - FourTap::start - 2};
@@ -80,7 +84,7 @@ Control<Vec2> open_control(const std::vector<Vec2>& points, GhostRule rule) {
 }
 
 PlaneCurve<FourTap> curve_of(const FourParameterParams& params, Vec2 origin) {
-  const std::vector<double> a = four_parameter_mask(params.lambda, params.mu, params.nu, params.omega);
+  const std::vector<double> a = mask_of(params);
   const FourTap scheme({a[5], a[3], a[1]}, {a[6], a[4], a[2], a[0]}, GhostRule::given, params.levels);
   PlaneCurve<FourTap> curve{scheme, {}, params.levels};
   for (const Polyline& polyline : params.base.polylines) {
@@ -120,6 +124,8 @@ struct FourParameterFamily {
 
   static bool uses_seed(const Params&) { return false; }
 
+  static LimitFacts limit_facts(const Params& params) { return {.smoothness = classify(mask_of(params)).smoothness()}; }
+
   static std::string theory(const Params& params) {
     const FourParameterTheorems theorems = four_parameter_theorems(params.lambda, params.mu, params.nu, params.omega);
     std::string text = fmt::format("lambda = {}, mu = {}, nu = {}, omega = {}\n", shortest_text(params.lambda),
@@ -138,7 +144,7 @@ struct FourParameterFamily {
     }
     text +=
         theorems.covered < 0 ? "by the theorems: nothing\n" : fmt::format("by the theorems: C{}\n", theorems.covered);
-    return text + convergence_text(classify(four_parameter_mask(params.lambda, params.mu, params.nu, params.omega)));
+    return text + convergence_text(classify(mask_of(params)));
   }
 };
 

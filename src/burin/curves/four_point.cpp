@@ -18,6 +18,11 @@ namespace {
 
 using namespace subdivision;
 
+std::vector<double> mask_of(double t) {
+  const double outer = 0.5 * t;
+  return {outer, 0.0, 0.5 - outer, 1.0, 0.5 - outer, 0.0, outer};
+}
+
 GhostRule ghost_rule(FourPointEnds ends) {
   if (ends == FourPointEnds::linear) return GhostRule::linear;
   return ends == FourPointEnds::reflect ? GhostRule::reflect : GhostRule::replicate;
@@ -74,12 +79,15 @@ struct FourPointFamily {
 
   static bool uses_seed(const Params&) { return false; }
 
+  static LimitFacts limit_facts(const Params& params) {
+    return {.smoothness = classify(mask_of(four_point_t(params))).smoothness()};
+  }
+
   static std::string theory(const Params& params) {
     const double t = four_point_t(params);
-    const double outer = 0.5 * t;
     return fmt::format("t = {}, tension w = {}: the four-parameter scheme with lambda = mu = 0, nu = 1/2, omega = w\n",
-                       shortest_text(t), shortest_text(-outer)) +
-           convergence_text(classify({outer, 0.0, 0.5 - outer, 1.0, 0.5 - outer, 0.0, outer}));
+                       shortest_text(t), shortest_text(-0.5 * t)) +
+           convergence_text(classify(mask_of(t)));
   }
 };
 

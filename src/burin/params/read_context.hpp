@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <burin/base/bytes.hpp>
@@ -45,8 +47,16 @@ struct ReadContext {
   /// What captions may quote.
   std::vector<Placeholder> placeholders{};
 
+  /// What is read otherwise than it is written, for people: "d.csv:4: warning: 2 points are dropped".
+  std::vector<std::string> warnings{};
+
   /// How many presets this one is drawn within.
   int nesting = 0;
+
+  /// The same warning is told once.
+  void warn(std::string warning) {
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(std::move(warning));
+  }
 
   void report(const Where& where, std::string message) { problems.push_back({where, std::move(message)}); }
 };

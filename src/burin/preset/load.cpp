@@ -161,6 +161,7 @@ Piece read_piece(Reading& reading, const Overrides& overrides, const ReadFile& r
   piece.pens = read_pens(root, palette, context);
   piece.slots = read_slots(root, context);
   read_layers(root, names, reading.file, read_images(root, context), piece, context);
+  piece.warnings = std::move(context.warnings);
   return piece;
 }
 

@@ -79,6 +79,7 @@ const curves::Family& nested_family() {
       .draw = draw_nested,
       .uses_seed = [](const std::any& parameters) { return nested(parameters).plan->uses_seed(); },
       .theory = nullptr,
+      .limit_facts = nullptr,
       .retained_every = [](const std::any&) -> std::uint64_t { return 0; },
       .cost_knob = "knobs"};
   return family;

@@ -244,6 +244,7 @@ struct Piece {
   std::vector<NamedSlot> slots;          ///< in file order
   std::vector<Layer> layers;             ///< in file order, at least one
   std::vector<params::DataDigest> data;  ///< every data file that was read
+  std::vector<std::string> warnings{};   ///< what was read otherwise than it is written, for people
   bool seed_in_values = false;           ///< whether a random knob or $seed went into the values above
 };
 

@@ -103,7 +103,10 @@ class Preparation {
       source_ = *std::move(points);
     }
     if (params_.lonlat) project_from_degrees(source_.points);
-    if (params_.at.empty()) drop_repeated(source_);
+    if (params_.at.empty()) {
+      const Repetitions repeated = drop_repeated(source_);
+      if (repeated.count > 0) context_.warn(warning_of(repeated));
+    }
     if (curve_.closed) close_up(source_);
     if (source_.points.size() >= 3) return true;
     return fail(

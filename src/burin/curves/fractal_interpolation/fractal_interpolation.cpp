@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include <burin/curves/fractal_interpolation/curve.hpp>
 #include <burin/curves/fractal_interpolation/enclosures.hpp>
 #include <burin/curves/fractal_interpolation/fractal_interpolation.hpp>
+#include <burin/curves/fractal_interpolation/limit.hpp>
 #include <burin/curves/fractal_interpolation/trace.hpp>
 #include <burin/path/decorators.hpp>
 #include <burin/path/point_buffer.hpp>
@@ -146,6 +148,17 @@ std::optional<Box2> bounds(const std::any& parameters, const DrawContext& contex
   return sink.box();
 }
 
+/// A level set holds the one before, and each of its n intervals is divided by n; blocks of another length or the cut
+/// of a part shift the count.
+std::uint64_t retained_every(const std::any& parameters) {
+  const Curve& curve = curve_of(parameters);
+  if (curve.levels == 0 || curve.part || curve.plot == Plot::nodes) return 0;
+  const std::size_t pieces = curve.blocks.front().functions.front().pieces.size();
+  const bool alike = std::all_of(curve.blocks.begin(), curve.blocks.end(),
+                                 [&](const Block& block) { return block.functions.front().pieces.size() == pieces; });
+  return alike ? pieces : 0;
+}
+
 }  // namespace
 
 }  // namespace fractal_interpolation
@@ -164,6 +177,12 @@ Family fractal_interpolation_family() {
           .forecast = &fractal_interpolation::forecast,
           .draw = &fractal_interpolation::draw,
           .uses_seed = [](const std::any&) { return false; },
+          .theory = [](const std::any& parameters) { return theory_text(fractal_interpolation::curve_of(parameters)); },
+          .limit_facts =
+              [](const std::any& parameters) {
+                return fractal_interpolation::limit_facts(fractal_interpolation::curve_of(parameters));
+              },
+          .retained_every = &fractal_interpolation::retained_every,
           .cost_knob = "levels"};
 }
 

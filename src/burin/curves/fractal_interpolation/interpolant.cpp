@@ -51,8 +51,9 @@ double theta_at(const Interpolant& f, double x) {
   return std::clamp((x - f.begin) / f.length, 0.0, 1.0);
 }
 
-/// theta of the point of piece i whose theta of the whole is `theta`.
+/// theta of the point of piece i whose theta of the whole is `theta`. The last node is met exactly, as the others are.
 double local_theta(const Piece& piece, double theta) {
+  if (theta >= 1.0) return 1.0;
   return std::clamp((theta - piece.start) / piece.width, 0.0, 1.0);
 }
 

@@ -33,6 +33,15 @@ Repetitions drop_repeated(SourcePoints& source) {
   return repetitions;
 }
 
+std::string warning_of(const Repetitions& repetitions) {
+  const Where& where = repetitions.first;
+  std::string text = where.line > 0 ? fmt::format("{}:{}", where.file, where.line) : where.file;
+  text += text.empty() ? "" : ": ";
+  return text + (repetitions.count == 1
+                     ? "warning: 1 point is dropped that repeats the point before"
+                     : fmt::format("warning: {} points are dropped that repeat the point before", repetitions.count));
+}
+
 void close_up(SourcePoints& source) {
   if (source.points.front() == source.points.back()) return;
   source.points.push_back(source.points.front());

@@ -29,6 +29,9 @@ struct Repetitions {
 };
 Repetitions drop_repeated(SourcePoints& source);
 
+/// "d.csv:4: warning: 2 points are dropped that repeat the point before". Pre: there are some.
+std::string warning_of(const Repetitions& repetitions);
+
 /// Appends the first point if the last one is another.
 void close_up(SourcePoints& source);
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <burin/curves/limit_facts.hpp>
+
 /// How smooth the limit of a subdivision scheme is, from its mask. A mask a_0 .. a_s says P'_k = sum_j a_{k-2j} P_j, up
 /// to a shift of k.
 namespace burin::curves::subdivision {
@@ -23,6 +25,8 @@ struct Convergence {
   std::optional<int> excluded;  ///< the limit is not C^excluded for all data; 0: the scheme diverges
   double exponent_low = 0.0;    ///< Hoelder exponent: at least this
   double exponent_high = 0.0;   ///< and at most this
+
+  Smoothness smoothness() const { return {proven, excluded, exponent_low, exponent_high}; }
 };
 
 /// Divides the mask by 1 + z as often as it can, which gives the difference schemes, and holds the norms of their

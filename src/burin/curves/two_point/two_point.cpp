@@ -5,6 +5,7 @@
 
 #include <burin/curves/two_point/block_tables.hpp>
 #include <burin/curves/two_point/bounds.hpp>
+#include <burin/curves/two_point/dimension.hpp>
 #include <burin/curves/two_point/emitters.hpp>
 #include <burin/curves/two_point/keyed_rule.hpp>
 #include <burin/curves/two_point/trace_blocks.hpp>
@@ -179,6 +180,10 @@ struct TwoPointFamily {
   static bool uses_seed(const Params& params) {
     const std::optional<SignRule>& sign = params.sign ? params.sign : params.motif.sign;
     return params.motif.is_random() || (sign && sign->kind == SignRule::Kind::random);
+  }
+
+  static LimitFacts limit_facts(const Params& params) {
+    return {.similarity_dimension = similarity_dimension(params.motif)};
   }
 
   /// A join draws points of the edges, which no other level has.

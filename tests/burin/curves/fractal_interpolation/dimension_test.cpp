@@ -2,6 +2,7 @@
 
 #include <burin/base/math.hpp>
 #include <burin/curves/fractal_interpolation/dimension.hpp>
+#include <burin/curves/fractal_interpolation/limit.hpp>
 
 #include "made_data.hpp"
 #include "support/json_value.hpp"
@@ -62,6 +63,77 @@ TEST(FractalDimension, CertificateProvesRoughDataAndRefusesTheParabola) {
       with_scaling(plain_data({0.0, 0.25, 0.5, 0.75, 1.0}, {0.0, 0.0625, 0.25, 0.5625, 1.0}), constant_scaling(0.9));
   EXPECT_EQ(growth_certificate(make_interpolant(parabola), 4), std::nullopt);
   EXPECT_NEAR(measured(make_interpolant(parabola)), 1.0, 1e-6);
+}
+
+TEST(FractalDimension, IsBoundedByWhatIsProven) {
+  const json rows = testing::reference("interpolation.json")["dimension"];
+  for (const json& row : rows) {
+    SCOPED_TRACE(row["s"].dump());
+    const Interpolant f = rough(row);
+    const FractalDimension found = graph_dimension(f);
+    EXPECT_LE(found.bounds.lower, found.bounds.upper);
+    EXPECT_EQ(found.bounds.lower > 1.0, found.certificate && separate_bounds(f).lower > 1.0);
+    if (found.spectral) {
+      EXPECT_LE(found.bounds.lower, *found.spectral + 1e-9);
+      EXPECT_GE(found.bounds.upper, *found.spectral - 1e-9);
+    }
+  }
+  // The parabola is smooth whatever its scaling: nothing above 1 is proven, nothing excluded.
+  const Interpolant parabola = make_interpolant(
+      with_scaling(plain_data({0.0, 0.25, 0.5, 0.75, 1.0}, {0.0, 0.0625, 0.25, 0.5625, 1.0}), constant_scaling(0.9)));
+  const FractalDimension smooth = graph_dimension(parabola);
+  EXPECT_EQ(smooth.bounds.lower, 1.0);
+  EXPECT_EQ(smooth.certificate, std::nullopt);
+  EXPECT_EQ(smoothness_of(parabola, smooth).excluded, std::nullopt);
+}
+
+TEST(FractalDimension, MeasuredByOscillationsIsThePredictedOne) {
+  for (const json& row : testing::reference("interpolation.json")["dimension"]) {
+    SCOPED_TRACE(row["s"].dump());
+    const FractalDimension found = graph_dimension(rough(row));
+    if (row["x"][1] != 0.25) continue;  // unequal intervals
+    EXPECT_NEAR(found.oscillation.value_or(0.0), found.spectral.value_or(0.0), 0.03);
+  }
+  EXPECT_EQ(oscillation_dimension(make_interpolant(plain_data({0.0, 1.0, 2.0}, {1.0, 1.0, 1.0}))), std::nullopt);
+}
+
+TEST(FractalDimension, OfUnequalIntervalsIsKnownForConstantScaling) {
+  InterpolationData data = plain_data({0.0, 0.1, 0.35, 0.6, 1.0}, {0.0, 0.8, 0.2, 1.0, 0.3});
+  const FractalDimension constant = graph_dimension(make_interpolant(with_scaling(data, constant_scaling(0.6))));
+  EXPECT_NEAR(constant.spectral.value_or(0.0), 1.6140, 5e-5);  // the reference's table
+  EXPECT_NEAR(constant.bounds.upper, 1.6140, 5e-5);
+  EXPECT_EQ(constant.bounds.lower, 1.0);
+  const Scaling linear{Scaling::Kind::chebyshev, {0.4, 0.2}};
+  EXPECT_EQ(graph_dimension(make_interpolant(with_scaling(data, linear))).spectral, std::nullopt);
+}
+
+TEST(FractalDimension, OfAContourIsThatOfItsImages) {
+  // Equal factors s > a: log 4 / log(1/s), as in the reference's table; smaller ones: a line's 1.
+  const auto bound = [](double s) {
+    const InterpolationData data = plain_data({0.0, 0.25, 0.5, 0.75, 1.0}, {0.0, 0.8, 0.2, 1.0, 0.3});
+    const Interpolant f = make_interpolant(with_scaling(data, constant_scaling(s)));
+    return contour_dimension_bound(f, f);
+  };
+  EXPECT_NEAR(bound(0.35), 1.3205, 5e-5);
+  EXPECT_NEAR(bound(0.40), 1.5129, 5e-5);
+  EXPECT_NEAR(bound(0.2), 1.0, 1e-12);
+  EXPECT_EQ(bound(0.8), 2.0);
+}
+
+TEST(FractalLimit, SmoothnessFollowsFromScalingAndDimension) {
+  const auto smoothness = [](double s) {
+    const InterpolationData data = plain_data({0.0, 0.25, 0.5, 0.75, 1.0}, {0.0, 0.8, 0.2, 1.0, 0.3});
+    const Interpolant f = make_interpolant(with_scaling(data, constant_scaling(s)));
+    return smoothness_of(f, graph_dimension(f));
+  };
+  EXPECT_EQ(smoothness(0.2).proven, 1);
+  EXPECT_EQ(smoothness(0.2).exponent_low, 1.0);
+  EXPECT_EQ(smoothness(0.25).proven, 0);
+  const Smoothness rough = smoothness(0.5);
+  EXPECT_EQ(rough.proven, 0);
+  EXPECT_EQ(rough.excluded, 1);
+  EXPECT_NEAR(rough.exponent_low, 0.5, 1e-12);  // log 2 / log 4
+  EXPECT_NEAR(rough.exponent_high.value_or(0.0), 0.5, 1e-12);
 }
 
 TEST(FractalDimension, UnequalIntervalsAreTold) {

@@ -56,6 +56,18 @@ TEST(FractalFamily, FiveNodesBecomeSeventeenPoints) {
   EXPECT_EQ(drawn("{" + five + R"(, "levels": 1})").size(), 17U);  // the paper's Fig. 1
 }
 
+TEST(FractalFamily, ALevelKeepsThePointsOfTheOneBefore) {
+  const auto every = [](const std::string& json) { return find_family(family_name)->retained_every(params_of(json)); };
+  const std::string json = "{" + five + R"(, "scaling": 0.6, "levels": )";
+  const std::vector<Vec2> before = drawn(json + "2}");
+  const std::vector<Vec2> points = drawn(json + "3}");
+  ASSERT_EQ(every(json + "3}"), 4U);
+  for (std::size_t k = 0; k < before.size(); ++k) EXPECT_NEAR(points[4 * k].y, before[k].y, 1e-14);
+  EXPECT_EQ(every(json + "0}"), 0U);
+  EXPECT_EQ(every(json + R"(3, "block": 2})"), 2U);
+  EXPECT_EQ(every(json + R"(3, "part": [0.1, 0.9]})"), 0U);
+}
+
 TEST(FractalFamily, AViewShowsASubsetToTheBitAndMissesNothing) {
   const std::string json = "{" + five + R"(, "scaling": [0.6, -0.4, [0.3, 0.2], 0.5], "levels": 6})";
   const std::vector<Vec2> all = drawn(json);
@@ -149,25 +161,24 @@ TEST(FractalFamily, PlotsNodesErrorsAndPerturbations) {
   const std::string sine = R"({"points": [[0.1, 0.0998], [0.2, 0.1987], [0.3, 0.2955], [0.4, 0.3894], [0.5, 0.4794]],
       "scaling": 0.02, "levels": 2, "alpha": [1, 1, 0.002, 0.01], "beta": [0.8, 0.8, 0.004, 0.04])";
   const std::vector<Vec2> curve = drawn(sine + "}");
-  const std::vector<Vec2> error = drawn(sine + R"(, "plot": "error", "exact": "sin(x)", "stretch": 100
-})");
+  const std::vector<Vec2> error = drawn(sine + R"json(, "plot": "error", "exact": "sin(x)", "stretch": 100})json");
   ASSERT_EQ(error.size(), curve.size());
-for (std::size_t k = 0; k < curve.size(); ++k) {
-  EXPECT_NEAR(error[k].y, 100.0 * (math::sin(curve[k].x) - curve[k].y), 1e-12);
-}
-const Recording nodes = testing::record(family_name, params_of(sine + R"(, "plot": "nodes"})"));
-EXPECT_EQ(nodes.paths().size(), 5U);
-EXPECT_EQ(nodes.all_points()[4], (Vec2{0.5, 0.4794}));
-const std::vector<Vec2> change =
-    drawn(sine + R"(, "plot": "perturbation", "perturbation": [0.002, -0.001, 0.0015, -0.002, 0.001]})");
-std::string moved = sine;
-for (const auto& [from, to] :
-     {std::pair{"0.0998", "0.1018"}, std::pair{"0.1987", "0.1977"}, std::pair{"0.2955", "0.297"},
-      std::pair{"0.3894", "0.3874"}, std::pair{"0.4794", "0.4804"}}) {
-  moved.replace(moved.find(from), 6, to);
-}
-const std::vector<Vec2> star = drawn(moved + "}");
-for (std::size_t k = 0; k < curve.size(); ++k) EXPECT_NEAR(change[k].y, curve[k].y - star[k].y, 1e-12);
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    EXPECT_NEAR(error[k].y, 100.0 * (math::sin(curve[k].x) - curve[k].y), 1e-12);
+  }
+  const Recording nodes = testing::record(family_name, params_of(sine + R"(, "plot": "nodes"})"));
+  EXPECT_EQ(nodes.paths().size(), 5U);
+  EXPECT_EQ(nodes.all_points()[4], (Vec2{0.5, 0.4794}));
+  const std::vector<Vec2> change =
+      drawn(sine + R"(, "plot": "perturbation", "perturbation": [0.002, -0.001, 0.0015, -0.002, 0.001]})");
+  std::string moved = sine;
+  for (const auto& [from, to] :
+       {std::pair{"0.0998", "0.1018"}, std::pair{"0.1987", "0.1977"}, std::pair{"0.2955", "0.297"},
+        std::pair{"0.3894", "0.3874"}, std::pair{"0.4794", "0.4804"}}) {
+    moved.replace(moved.find(from), 6, to);
+  }
+  const std::vector<Vec2> star = drawn(moved + "}");
+  for (std::size_t k = 0; k < curve.size(); ++k) EXPECT_NEAR(change[k].y, curve[k].y - star[k].y, 1e-12);
 }
 
 TEST(FractalFamily, SplineAndGivenDerivatives) {
@@ -215,11 +226,10 @@ TEST(FractalFamily, RefusesBadParametersWithAdvice) {
   EXPECT_TRUE(has(problem_of(json + R"(, "fit": "rational-function"})"), "'fit' needs 'intervals'"));
   EXPECT_TRUE(has(problem_of(json + R"(, "intervals": 9})"), "9 intervals need more than 5 points"));
   EXPECT_TRUE(has(problem_of(json + R"(, "plot": "error"})"), "'exact'"));
-  EXPECT_TRUE(has(problem_of(json + R"(, "plot": "error", "exact": "sin(z)"
-})"), "z"));
+  EXPECT_TRUE(has(problem_of(json + R"json(, "plot": "error", "exact": "sin(z)"})json"), "z"));
   EXPECT_TRUE(has(problem_of(json + R"(, "plot": "perturbation"})"), "'perturbation'"));
-EXPECT_TRUE(has(problem_of(json + R"(, "part": [0.5, 0.5]})"), "from < to"));
-EXPECT_TRUE(has(problem_of(R"({"points": [[0, 0], [1, 1], [1, 1]]})"), "at least 3 points, found 2"));
+  EXPECT_TRUE(has(problem_of(json + R"(, "part": [0.5, 0.5]})"), "from < to"));
+  EXPECT_TRUE(has(problem_of(R"({"points": [[0, 0], [1, 1], [1, 1]]})"), "at least 3 points, found 2"));
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ struct DataSet {
   Ends ends;
 };
 
-class FitOfData : public testing::TestWithParam<DataSet> {};
+class FitOfData : public ::testing::TestWithParam<DataSet> {};
 
 /// Within 1.1 times the reference's error with either derivative rule, and in the paper's order.
 TEST_P(FitOfData, IsAsNearAsTheReferences) {
@@ -162,10 +162,10 @@ TEST_P(FitOfData, IsAsNearAsTheReferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, FitOfData,
-                         testing::Values(DataSet{"spiral", "fibonacci_spiral.csv", false, Ends::open},
-                                         DataSet{"beetle", "beetle_outline.csv", false, Ends::periodic},
-                                         DataSet{"maine", "coastline_maine.csv", true, Ends::open},
-                                         DataSet{"cornwall", "coastline_cornwall.csv", true, Ends::open}),
+                         ::testing::Values(DataSet{"spiral", "fibonacci_spiral.csv", false, Ends::open},
+                                           DataSet{"beetle", "beetle_outline.csv", false, Ends::periodic},
+                                           DataSet{"maine", "coastline_maine.csv", true, Ends::open},
+                                           DataSet{"cornwall", "coastline_cornwall.csv", true, Ends::open}),
                          [](const auto& test) { return test.param.name; });
 
 TEST(Contour, KnotsAreSpreadAndDistinct) {
