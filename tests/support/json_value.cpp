@@ -1,6 +1,7 @@
 #include "support/json_value.hpp"
 
 #include <fstream>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -40,10 +41,15 @@ curves::TwoPointParams two_point(std::string_view json) {
   return read.params ? std::any_cast<curves::TwoPointParams>(*read.params) : curves::TwoPointParams{};
 }
 
-nlohmann::json reference(const std::string& name) {
-  std::ifstream file(std::string(BURIN_SOURCE_DIR) + "/tests/reference/" + name);
-  EXPECT_TRUE(file.good()) << name;
-  return nlohmann::json::parse(file);
+const nlohmann::json& reference(const std::string& name) {
+  static std::map<std::string, nlohmann::json> files;
+  const auto [found, is_new] = files.try_emplace(name);
+  if (is_new) {
+    std::ifstream file(std::string(BURIN_SOURCE_DIR) + "/tests/reference/" + name);
+    EXPECT_TRUE(file.good()) << name;
+    found->second = nlohmann::json::parse(file);
+  }
+  return found->second;
 }
 
 }  // namespace burin::testing

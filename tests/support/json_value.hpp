@@ -27,7 +27,7 @@ ReadParams read_params(std::string_view family, std::string_view json, const Rea
 /// The same for the two-point family; fails the test on problems.
 curves::TwoPointParams two_point(std::string_view json);
 
-/// A reference vector file of tests/reference.
-nlohmann::json reference(const std::string& name);
+/// A reference vector file of tests/reference, read once and kept.
+const nlohmann::json& reference(const std::string& name);
 
 }  // namespace burin::testing

@@ -31,12 +31,6 @@ constexpr std::array<ShortSource, 3> short_sources{
      {"svg", "file", "the name of an SVG file, or a table with 'file'"},
      {"shape", "kind", "a kind of shape such as \"disc\", or a table with 'kind'"}}};
 
-std::vector<std::string_view> family_names() {
-  std::vector<std::string_view> names;
-  for (const curves::Family& family : curves::catalogue()) names.push_back(family.name);
-  return names;
-}
-
 bool is_range(const Value& value) {
   return value.text() != nullptr && value.text()->find("..") != std::string::npos;
 }
@@ -73,22 +67,9 @@ void read_levels(const Table& table, const Value& range, Layer& layer, ReadConte
   }
 }
 
-void read_family(const Table& table, const Where& where, Layer& layer, ReadContext& context) {
-  const Value* family = table.find("family");
-  if (family == nullptr) {
-    context.report(where, fmt::format("a curve needs a 'family'{}", suggestion("", family_names())));
-    return;
-  }
-  if (family->text() == nullptr) {
-    params::report_kind(*family, "the name of a family", context);
-    return;
-  }
-  layer.family = curves::find_family(*family->text());
-  if (layer.family == nullptr) {
-    context.report(family->where,
-                   fmt::format("no family '{}'{}", *family->text(), suggestion(*family->text(), family_names())));
-    return;
-  }
+void read_family_curve(const Table& table, const Where& where, Layer& layer, ReadContext& context) {
+  layer.family = curves::read_family(table, where, context);
+  if (layer.family == nullptr) return;
   if (const Value* levels = table.find("levels"); levels != nullptr && is_range(*levels)) {
     read_levels(table, *levels, layer, context);
   } else if (std::optional<std::any> parameters = layer.family->read(table, context, {"family"})) {
@@ -121,7 +102,7 @@ void read_curve(const Value& value, const Table* defines, Layer& layer, ReadCont
     params::report_kind(*curve, "the name of a define or a table with 'family'", context);
     return;
   }
-  read_family(*table, curve->where, layer, context);
+  read_family_curve(*table, curve->where, layer, context);
 }
 
 /// `text = "..."` and `text = { text = "...", ... }` are short for a curve of the family of that name.
@@ -141,7 +122,7 @@ void read_short_source(const Value& value, const ShortSource& source, Layer& lay
     return;
   }
   table.set("family", {value.where, std::string(source.key)});
-  read_family(table, value.where, layer, context);
+  read_family_curve(table, value.where, layer, context);
 }
 
 /// An SVG that is drawn as it paints itself is not painted by its layer too.
