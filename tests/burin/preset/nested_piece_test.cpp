@@ -102,7 +102,7 @@ TEST(NestedPiece, AllOfItClipsOthers) {
   // Of the flag's sheet layers the line in ink encloses nothing, the red square does.
   const std::string row =
       "[slots]\npage = { at = \"0 0 100% 100%\", frame = [0, 0, 200, 200] }\n[[layer]]\nname = \"row\"\nslot = "
-      "\"page\"\ncurve = { family = \"two-point\", levels = 0, base = { points = [[0, 20], [200, 20]] } }\n";
+      "\"page\"\ncurve = { family = \"two-point\", levels = 0, base = { points = [[0, 100], [200, 100]] } }\n";
   const auto length_of = [&](const std::string& clip) {
     const Plan plan = plan_of(row + clip + "[[layer]]\nname = \"flag\"\npiece = \"flag\"\n");
     RunOptions options;

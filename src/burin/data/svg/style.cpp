@@ -77,14 +77,15 @@ std::string without_comments(std::string text) {
   return text;
 }
 
-/// Whether `word` is one of the words in `list`.
-bool has_word(std::string_view list, std::string_view word) {
+/// What stands between blanks.
+std::vector<std::string_view> words_of(std::string_view list) {
+  std::vector<std::string_view> words;
   for (list = trimmed(list); !list.empty(); list = trimmed(list)) {
     const std::size_t end = std::min(list.find_first_of(" \t\n\r\f"), list.size());
-    if (list.substr(0, end) == word) return true;
+    words.push_back(list.substr(0, end));
     list.remove_prefix(end);
   }
-  return false;
+  return words;
 }
 
 }  // namespace
@@ -96,7 +97,8 @@ int StyleSheet::Selector::weight() const {
 bool StyleSheet::Labels::match(const Selector& selector) const {
   if (!selector.tag.empty() && selector.tag != tag) return false;
   if (!selector.id.empty() && selector.id != id) return false;
-  return std::ranges::all_of(selector.classes, [&](std::string_view name) { return has_word(classes, name); });
+  return std::ranges::all_of(selector.classes,
+                             [&](std::string_view name) { return std::ranges::find(classes, name) != classes.end(); });
 }
 
 /// "fill: none; stroke: red !important".
@@ -178,7 +180,7 @@ Style StyleSheet::style_of(const XmlElement& element, const Style& parent) const
     }
   }
   const Labels labels{element.local_name(), element.attribute("id").value_or(""),
-                      element.attribute("class").value_or("")};
+                      words_of(element.attribute("class").value_or(""))};
   for (const Rule& rule : rules_) {
     if (!labels.match(rule.selector)) continue;
     for (const Declaration& each : rule.declarations) apply(each.member, each.value, parent, style);

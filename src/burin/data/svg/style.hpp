@@ -56,7 +56,7 @@ class StyleSheet {
   struct Labels {
     std::string_view tag;
     std::string_view id;
-    std::string_view classes;
+    std::vector<std::string_view> classes;
     bool match(const Selector& selector) const;
   };
   struct Declaration {
