@@ -32,7 +32,7 @@ constexpr std::array option_rows{
 
 constexpr std::array examples{
     Example{"burin fit fibonacci_spiral --intervals 24", "how near each method comes to the data"},
-    Example{"burin fit fibonacci_spiral --intervals 12 -o fitted.toml && burin draw fitted.toml", "see it"},
+    Example{"burin fit fibonacci_spiral --intervals 12 -o fitted.toml", "a preset to draw and edit"},
     Example{"burin fit beetle_outline --intervals 60 --closed --json", "the numbers for a program"},
 };
 
@@ -195,7 +195,7 @@ ExitCode run(const Arguments& arguments, const Console& console) {
 Command fit_command() {
   return {"fit",
           "fit a fractal interpolation to a curve of points",
-          "DATA.csv --intervals N [--scaling KIND] [--closed] [--lonlat] [--json] [-o FILE.toml]",
+          "DATA.csv --intervals N [--closed] [--json] [-o FILE.toml]",
           "DATA.csv has one x,y a line, in the order of the curve; or it is the name of shipped data: "
           "fibonacci_spiral, beetle_outline, coastline_maine, coastline_cornwall.\n\n"
           "Four methods pass through the same knots: the cubic spline, polynomial fractal interpolation with scaling "
