@@ -101,7 +101,7 @@ std::vector<double> mean_derivatives(std::span<const double> x, std::span<const 
   const std::size_t last = h.size();
   std::vector<double> d(last + 1, slope[0]);
   if (last == 1) return d;
-  const auto mean = [&](std::size_t before, std::size_t after) {
+  const auto mean = [&h = h, &slope = slope](std::size_t before, std::size_t after) {
     return (h[after] * slope[before] + h[before] * slope[after]) / (h[before] + h[after]);
   };
   for (std::size_t i = 1; i < last; ++i) d[i] = mean(i - 1, i);
