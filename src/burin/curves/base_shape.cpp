@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <burin/base/math.hpp>
-#include <burin/base/number_text.hpp>
 #include <burin/curves/base_shape.hpp>
 #include <burin/curves/curve_source.hpp>
 #include <burin/data/csv.hpp>
@@ -128,13 +127,6 @@ std::optional<std::vector<Polyline>> polylines_of(const BaseSpec& spec, const Wh
   return polylines;
 }
 
-/// A polygon given with its first point repeated is the polygon without.
-void drop_repeated_end(Polyline& polyline) {
-  if (polyline.closed && polyline.points.size() > 2 && polyline.points.front() == polyline.points.back()) {
-    polyline.points.pop_back();
-  }
-}
-
 bool read_spec(const params::Table& table, const Where& where, BaseShape& base, params::ReadContext& context) {
   BaseSpec spec;
   if (!params::read_fields(table, spec, "base", context)) return false;
@@ -184,20 +176,6 @@ bool ValueType<BaseShape>::read(const Value& value, BaseShape& base, ReadContext
   const curves::BaseSpec defaults;
   base = {{curves::named_shape(shape, defaults.n, defaults.inner)}, '"' + *word + '"'};
   return true;
-}
-
-bool ValueType<Vec2>::read(const Value& value, Vec2& point, ReadContext& context) {
-  const Array* array = value.array();
-  if (array == nullptr) return report_kind(value, "a point [x, y]", context);
-  if (array->size() != 2) {
-    context.report(value.where, fmt::format("expected a point [x, y], found a list of {}", array->size()));
-    return false;
-  }
-  return read_number((*array)[0], point.x, context) && read_number((*array)[1], point.y, context);
-}
-
-std::string ValueType<Vec2>::text(const Vec2& point) {
-  return fmt::format("[{}, {}]", shortest_text(point.x), shortest_text(point.y));
 }
 
 }  // namespace burin::params

@@ -7,18 +7,31 @@
 #include <burin/geom/affine2.hpp>
 #include <burin/geom/vec2.hpp>
 #include <burin/params/fields.hpp>
+#include <burin/params/points.hpp>
 
 namespace burin::curves {
 
 /// A polyline, or a polygon whose last edge returns to its first point (which is not repeated).
-struct Polyline {
-  std::vector<Vec2> points;
+template <class Point>
+struct PolylineOf {
+  std::vector<Point> points;
   bool closed = false;
 
   std::size_t edge_count() const { return closed ? points.size() : points.size() - 1; }
-  Vec2 edge_begin(std::size_t edge) const { return points[edge]; }
-  Vec2 edge_end(std::size_t edge) const { return points[edge + 1 == points.size() ? 0 : edge + 1]; }
+  Point edge_begin(std::size_t edge) const { return points[edge]; }
+  Point edge_end(std::size_t edge) const { return points[edge + 1 == points.size() ? 0 : edge + 1]; }
 };
+
+/// A polygon given with its first point repeated is the polygon without.
+template <class Point>
+void drop_repeated_end(PolylineOf<Point>& polyline) {
+  if (polyline.closed && polyline.points.size() > 2 && polyline.points.front() == polyline.points.back()) {
+    polyline.points.pop_back();
+  }
+}
+
+using Polyline = PolylineOf<Vec2>;
+using SpacePolyline = PolylineOf<Vec3>;
 
 /// What a scheme refines: S_0, model units, y up. Edges are counted through all polylines.
 struct BaseShape {
@@ -45,12 +58,4 @@ struct burin::params::ValueType<burin::curves::BaseShape> {
   static std::string name() { return "base"; }
   static bool read(const Value& value, burin::curves::BaseShape& base, ReadContext& context);
   static std::string text(const burin::curves::BaseShape& base) { return base.text; }
-};
-
-/// A point [x, y] of numbers or constant expressions.
-template <>
-struct burin::params::ValueType<burin::Vec2> {
-  static std::string name() { return "point"; }
-  static bool read(const Value& value, burin::Vec2& point, ReadContext& context);
-  static std::string text(const burin::Vec2& point);
 };

@@ -8,24 +8,20 @@
 #include <burin/curves/four_point.hpp>
 #include <burin/curves/fractal_interpolation/fractal_interpolation.hpp>
 #include <burin/curves/line_art/line_art.hpp>
+#include <burin/curves/line_art/line_art_3d.hpp>
 #include <burin/curves/shape.hpp>
 #include <burin/curves/svg/svg.hpp>
 #include <burin/curves/text/text.hpp>
 #include <burin/curves/two_point/two_point.hpp>
+#include <burin/curves/two_point_3d/two_point_3d.hpp>
 
 namespace burin::curves {
 
 std::span<const Family> catalogue() {
-  static const std::array<Family, 10> families{
-      two_point_family(),
-      de_rham_family(),
-      four_point_family(),
-      four_parameter_family(),
-      fractal_interpolation_family(),
-      line_art_family(),
-      line_art_boundary_family(),
-      text_family(),
-      svg_family(),
+  static const std::array<Family, 13> families{
+      two_point_family(),      two_point_3d_family(),          de_rham_family(),  four_point_family(),
+      four_parameter_family(), fractal_interpolation_family(), line_art_family(), line_art_boundary_family(),
+      line_art_3d_family(),    line_art_boundary_3d_family(),  text_family(),     svg_family(),
       shape_family(),
   };
   return families;

@@ -10,7 +10,7 @@
 #include <burin/curves/de_rham.hpp>
 #include <burin/curves/subdivision/convergence.hpp>
 #include <burin/curves/subdivision/cover.hpp>
-#include <burin/curves/subdivision/plane_curve.hpp>
+#include <burin/curves/subdivision/curve_family.hpp>
 #include <burin/curves/subdivision/reach.hpp>
 
 namespace burin::curves {
@@ -103,46 +103,16 @@ class CornerCut {
   Reach reach_;
 };
 
-Vec2 mean_of(const BaseShape& base) {
-  Vec2 sum;
-  double count = 0.0;
-  for (const Polyline& polyline : base.polylines) {
-    for (const Vec2 p : polyline.points) {
-      sum = sum + p;
-      count += 1.0;
-    }
-  }
-  return (1.0 / count) * sum;
-}
-
 /// An open edge alone has no corner: it is refined as it stands.
-std::vector<Vec2> refined_edge(const CornerCut& scheme, std::vector<Vec2> ends, bool clamped, int levels) {
+template <class Point>
+std::vector<Point> refined_edge(const CornerCut& scheme, std::vector<Point> ends, bool clamped, int levels) {
   for (int level = 0; level < levels && !clamped; ++level) {
-    std::vector<Vec2> fresh(2);
+    std::vector<Point> fresh(2);
     scheme.refine(ends.data(), ends.size(), fresh.data());
     if (fresh == ends) break;
     ends = fresh;
   }
   return ends;
-}
-
-PlaneCurve<CornerCut> curve_of(const DeRhamParams& params, Vec2 origin) {
-  const double t = near_t(params);
-  const bool normalized = params.normalize && (t < 0.0 || t > 1.0);
-  const bool clamped = params.ends == DeRhamEnds::clamp;
-  PlaneCurve<CornerCut> curve{CornerCut(t, normalized, clamped, params.levels), {}, params.levels};
-  if (normalized) curve.centre = mean_of(params.base) - origin;
-  for (const Polyline& polyline : params.base.polylines) {
-    std::vector<Vec2> points = seen_from(origin + curve.centre, polyline);
-    if (polyline.closed) {
-      curve.parts.push_back(closed_control<CornerCut>(points, 1));
-    } else if (points.size() == 2) {
-      curve.parts.push_back({refined_edge(curve.scheme, std::move(points), clamped, params.levels)});
-    } else {
-      curve.parts.push_back({std::move(points), false, 1, 0});
-    }
-  }
-  return curve;
 }
 
 /// What is known of the curve by t alone. Source: reference curves C.
@@ -157,8 +127,25 @@ std::string_view behaviour(double t) {
   return t == 1.0 ? "the base in an order that changes with every level" : "diverges like (2t-1)^level: woven bands";
 }
 
-struct DeRhamFamily {
+struct DeRham {
   using Params = DeRhamParams;
+  using Scheme = CornerCut;
+
+  static bool is_centred(const Params& params) {
+    const double t = near_t(params);
+    return params.normalize && (t < 0.0 || t > 1.0);
+  }
+
+  static Scheme scheme_of(const Params& params) {
+    return {near_t(params), is_centred(params), params.ends == DeRhamEnds::clamp, params.levels};
+  }
+
+  template <class Point>
+  static Control<Point> control_of(const Params& params, const Scheme& scheme, std::vector<Point> points, bool closed) {
+    if (closed) return closed_control<CornerCut>(points, 1);
+    if (points.size() > 2) return {std::move(points), false, 1, 0};
+    return {refined_edge(scheme, std::move(points), params.ends == DeRhamEnds::clamp, params.levels)};
+  }
 
   static bool check(const Params& params, const params::Table& table, params::ReadContext& context) {
     const params::Value* lambda = table.find("lambda");
@@ -171,20 +158,6 @@ struct DeRhamFamily {
     context.report(lambda->where, "'lambda' = -0.5 has no t = lambda/(2 lambda + 1)");
     return false;
   }
-
-  static std::optional<Box2> bounds(const Params& params, const DrawContext&, const Affine2& frame) {
-    return bounds_of_curve(curve_of(params, {}), frame);
-  }
-
-  static Forecast forecast(const Params& params, const DrawContext& context, double enough) {
-    return forecast_curve(curve_of(params, context.origin), context, enough);
-  }
-
-  static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
-    return draw_curve(curve_of(params, context.origin), context, sink);
-  }
-
-  static bool uses_seed(const Params&) { return false; }
 
   static LimitFacts limit_facts(const Params& params) {
     return {.smoothness = classify(mask_of(near_t(params))).smoothness()};
@@ -206,7 +179,7 @@ struct DeRhamFamily {
 }  // namespace
 
 Family de_rham_family() {
-  return make_family<DeRhamFamily>(
+  return make_family<CurveFamily<DeRham>>(
       "de-rham", "corners cut off again and again: Chaikin's and de Rham's curves, fractals, stars of spikes",
       "Ding & Qi, Recursive Refinement Algorithm of Fractal Generation, eq. (1), (2); G. de Rham 1947", "levels");
 }

@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include <burin/curves/base_shape.hpp>
 #include <burin/curves/family.hpp>
+#include <burin/curves/space_base.hpp>
+#include <burin/params/camera_params.hpp>
 
 namespace burin::curves {
 
@@ -24,17 +25,18 @@ constexpr auto words(DeRhamEnds) {
 /// Generalized de Rham scheme (corner cutting): every edge AB is replaced by the edge from (1-t) A + t B to t A + (1-t)
 /// B, and what is left of the corners joins them. Source: Ding & Qi, eq. (1), (2); reference curves C.
 struct DeRhamParams {
-  BaseShape base = square_base();
+  SpaceBase base;
   double t = 0.25;
   std::optional<double> lambda;
   DeRhamOrder order = DeRhamOrder::near;
   DeRhamEnds ends = DeRhamEnds::free;
   bool normalize = false;
   int levels = 6;
+  std::optional<params::CameraParams> camera;
 
   static constexpr auto fields() {
     return std::tuple{
-        params::field("base", &DeRhamParams::base, "what is refined, as in two-point: polygon or polyline"),
+        params::field("base", &DeRhamParams::base, "what is refined, as in two-point-3d: in the plane or in space"),
         params::field(
             "t", &DeRhamParams::t,
             "how much of an edge is cut off at either end: 1/4 is Chaikin's, 1/3 de Rham's trisection; converges "
@@ -46,7 +48,9 @@ struct DeRhamParams {
         params::field("normalize", &DeRhamParams::normalize,
                       "for t < 0 and t > 1, where the curve grows by |1-2t| a level: shrink by that about the middle"),
         params::field("levels", &DeRhamParams::levels, {0, 1000},
-                      "refinement levels; what is drawn is limited by the view")};
+                      "refinement levels; what is drawn is limited by the view"),
+        params::field("camera", &DeRhamParams::camera,
+                      "how a curve in space is seen; unset: as far as the base is in the plane, not at all")};
   }
 };
 

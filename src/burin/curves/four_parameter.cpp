@@ -7,7 +7,7 @@
 #include <burin/base/number_text.hpp>
 #include <burin/curves/four_parameter.hpp>
 #include <burin/curves/subdivision/convergence.hpp>
-#include <burin/curves/subdivision/plane_curve.hpp>
+#include <burin/curves/subdivision/curve_family.hpp>
 
 namespace burin::curves {
 
@@ -63,7 +63,8 @@ std::vector<double> mask_of(const FourParameterParams& params) {
 }
 
 /// Two ghosts at each side, which are refined like other points.
-Control<Vec2> open_control(const std::vector<Vec2>& points, GhostRule rule) {
+template <class Point>
+Control<Point> open_control(const std::vector<Point>& points, GhostRule rule) {
   if (rule == GhostRule::given) return {points, false, FourTap::start, FourTap::window - FourTap::start - 2};
   const std::size_t last = points.size() - 1;
   const auto ghost_at = [&](std::size_t end, std::size_t next, std::size_t k) {
@@ -76,30 +77,32 @@ Control<Vec2> open_control(const std::vector<Vec2>& points, GhostRule rule) {
     const std::size_t back = step <= last ? step : 2 * last - step;
     return ghost(rule, points[end], points[end == 0 ? back : last - back]);
   };
-  Control<Vec2> control{{ghost_at(0, 1, 2), ghost_at(0, 1, 1)}};
+  Control<Point> control{{ghost_at(0, 1, 2), ghost_at(0, 1, 1)}};
   control.points.insert(control.points.end(), points.begin(), points.end());
   control.points.push_back(ghost_at(last, last - 1, 1));
   control.points.push_back(ghost_at(last, last - 1, 2));
   return control;
 }
 
-PlaneCurve<FourTap> curve_of(const FourParameterParams& params, Vec2 origin) {
-  const std::vector<double> a = mask_of(params);
-  const FourTap scheme({a[5], a[3], a[1]}, {a[6], a[4], a[2], a[0]}, GhostRule::given, params.levels);
-  PlaneCurve<FourTap> curve{scheme, {}, params.levels};
-  for (const Polyline& polyline : params.base.polylines) {
-    const std::vector<Vec2> points = seen_from(origin, polyline);
-    curve.parts.push_back(polyline.closed ? closed_control<FourTap>(points, 0) : open_control(points, params.ends));
-  }
-  return curve;
-}
-
-struct FourParameterFamily {
+struct FourParameter {
   using Params = FourParameterParams;
+  using Scheme = FourTap;
+
+  static bool is_centred(const Params&) { return false; }
+
+  static Scheme scheme_of(const Params& params) {
+    const std::vector<double> a = mask_of(params);
+    return {{a[5], a[3], a[1]}, {a[6], a[4], a[2], a[0]}, GhostRule::given, params.levels};
+  }
+
+  template <class Point>
+  static Control<Point> control_of(const Params& params, const Scheme&, const std::vector<Point>& points, bool closed) {
+    return closed ? closed_control<FourTap>(points, 0) : open_control(points, params.ends);
+  }
 
   static bool check(const Params& params, const params::Table& table, params::ReadContext& context) {
     if (params.ends != GhostRule::given) return true;
-    for (const Polyline& polyline : params.base.polylines) {
+    for (const SpacePolyline& polyline : params.base.lifted()) {
       if (polyline.closed || polyline.points.size() >= FourTap::window) continue;
       context.report(table.find("ends")->where,
                      fmt::format("'ends' = \"given\" needs a base of at least {} points, two of them beyond each end; "
@@ -109,20 +112,6 @@ struct FourParameterFamily {
     }
     return true;
   }
-
-  static std::optional<Box2> bounds(const Params& params, const DrawContext&, const Affine2& frame) {
-    return bounds_of_curve(curve_of(params, {}), frame);
-  }
-
-  static Forecast forecast(const Params& params, const DrawContext& context, double enough) {
-    return forecast_curve(curve_of(params, context.origin), context, enough);
-  }
-
-  static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
-    return draw_curve(curve_of(params, context.origin), context, sink);
-  }
-
-  static bool uses_seed(const Params&) { return false; }
 
   static LimitFacts limit_facts(const Params& params) { return {.smoothness = classify(mask_of(params)).smoothness()}; }
 
@@ -151,7 +140,7 @@ struct FourParameterFamily {
 }  // namespace
 
 Family four_parameter_family() {
-  return make_family<FourParameterFamily>(
+  return make_family<CurveFamily<FourParameter>>(
       "four-parameter",
       "curves near or through control points by the four-parameter scheme: B-splines, smooth, fractal",
       "Zhao, Peng & Ye, Improved Four Points Subdivision Scheme and its Applications, eq. (1), Theorems 1-3", "levels");

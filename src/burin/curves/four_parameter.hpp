@@ -4,9 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include <burin/curves/base_shape.hpp>
 #include <burin/curves/family.hpp>
+#include <burin/curves/space_base.hpp>
 #include <burin/curves/subdivision/four_tap.hpp>
+#include <burin/params/camera_params.hpp>
 
 namespace burin::curves {
 
@@ -25,17 +26,19 @@ constexpr auto words(GhostRule) {
 /// P_{i+1})/2 + 2 omega (D_i + D_{i+1}) with D_i = P_i - nu P_{i-1} - (1-nu) P_{i+1}.
 /// Source: Zhao, Peng & Ye, eq. (1); reference curves E.
 struct FourParameterParams {
-  BaseShape base = square_base();
+  SpaceBase base;
   double lambda = 0.0;
   double mu = 0.0;
   double nu = 0.5;
   double omega = 0.0625;
   subdivision::GhostRule ends = subdivision::GhostRule::linear;
   int levels = 6;
+  std::optional<params::CameraParams> camera;
 
   static constexpr auto fields() {
     return std::tuple{
-        params::field("base", &FourParameterParams::base, "the control points, as in two-point: polygon or polyline"),
+        params::field("base", &FourParameterParams::base,
+                      "the control points, as in two-point-3d: in the plane or in space"),
         params::field("lambda", &FourParameterParams::lambda, "how far a point moves to the one before it"),
         params::field(
             "mu", &FourParameterParams::mu,
@@ -46,7 +49,9 @@ struct FourParameterParams {
                       "of an open base: how two points beyond each end are made, on a line, by reflection, or the end "
                       "again; given: the base's outermost two at each end are these"),
         params::field("levels", &FourParameterParams::levels, {0, 1000},
-                      "refinement levels; what is drawn is limited by the view")};
+                      "refinement levels; what is drawn is limited by the view"),
+        params::field("camera", &FourParameterParams::camera,
+                      "how a curve in space is seen; unset: as far as the base is in the plane, not at all")};
   }
 };
 

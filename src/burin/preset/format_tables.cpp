@@ -1,5 +1,8 @@
 #include <burin/curves/line_art/composition.hpp>
+#include <burin/curves/line_art/space_region.hpp>
+#include <burin/curves/space_base.hpp>
 #include <burin/curves/two_point/two_point.hpp>
+#include <burin/params/camera_params.hpp>
 #include <burin/preset/images.hpp>
 #include <burin/preset/knobs.hpp>
 #include <burin/preset/load.hpp>
@@ -29,10 +32,14 @@ std::vector<FormatTable> format_tables() {
       {"clip", "a plain shape in place of a layer's name, for 'clip' and 'outside' of a layer",
        params::field_infos<ClipTable>()},
       {"base", "what a curve refines, written as a table", curves::base_fields()},
+      {"base in space", "what a curve in space refines, written as a table", curves::space_base_fields()},
+      {"camera", "how what is in space is seen, written as a table", params::field_infos<params::CameraParams>()},
       {"figure", "something to be placed, written as a table in [define]", primitives::figure_fields()},
       {"motif", "what replaces an edge, written as a table", curves::two_point::motif_fields()},
       {"region", "where line art begins, ends or may not be, written as a table with one key",
        curves::line_art::region_fields()},
+      {"region in space", "where line art in space begins or ends, written as a table with one key",
+       curves::line_art::space_region_fields()},
       {"compose", "which polylines of line art become strokes, and how much of them",
        params::field_infos<curves::line_art::Composition>()},
   };

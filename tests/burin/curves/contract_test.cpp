@@ -47,6 +47,24 @@ std::vector<std::string> line_art_boundary_cases() {
   };
 }
 
+std::vector<std::string> two_point_3d_cases() {
+  return {
+      R"({})",
+      R"({"levels": 0, "base": "square"})",
+      R"({"levels": 2, "motif": "terdragon", "base": {"solid": "icosahedron"}, "camera": {"eye": [0, 0, 1]}})",
+      R"({"levels": 3, "motif": "dragon", "base": {"knot": [2, 3], "n": 5}, "orient": "reference", "theta": "rand"})",
+      R"({"levels": 4, "base": {"points": [[1, 1, 1], [1, 1, 1]]}})",
+      R"({"levels": 4, "motif": {"marks": [[0.5, 1]], "beta": "absolute"},
+              "base": {"points": [[1, 1, 0], [1, 1, 0], [2, 1, 1]], "closed": true}})",
+      R"({"levels": 4, "theta": [{"random": [-1, 3]}], "normalize": false, "sign": "random",
+              "motif": {"marks": [[0.5, {"random": [-0.1, 0.1]}]]},
+              "camera": {"projection": "perspective", "eye": [5, 5, 5]}})",
+      R"({"levels": 3, "theta": "level", "normalize": false, "motif": {"marks": [[1.5, 0]]}})",
+      R"({"levels": 3, "theta": [0, 1], "motif": {"marks": [[0.2, 2], [0.8, "level - edge"]]}})",
+      R"({"levels": 6, "theta": "marker/2 - level", "motif": {"by_level": [{"marks": [[0.5, 0.1]]},
+              {"marks": [[0.3, 0.1], [0.6, 0.1]]}]}, "base": {"points": [[0, 0, 0], [1, 0, 0], [2, 0, 0], [2, 1, 1]]}})"};
+}
+
 /// Cases of a family, as JSON. A new family adds its own line.
 std::vector<std::string> cases_of(std::string_view family) {
   if (family == "text") {
@@ -54,6 +72,9 @@ std::vector<std::string> cases_of(std::string_view family) {
             R"({"text": "one\r\nthree", "align": "right", "tracking": -1, "slant": 60, "font": "script"})",
             R"({"text": "||||", "tracking": 100, "line_height": 100, "slant": -60, "font": "gothic"})"};
   }
+  if (family == "two-point-3d") return two_point_3d_cases();
+  const std::string in_space =
+      R"("base": {"knot": [3, 2], "n": 8}, "camera": {"projection": "perspective", "eye": [9, 7, 5], "fov": 20})";
   const std::string open = R"("base": {"points": [[0, 0], [1, 2], [3, 2], [4, 0], [6, 1], [7, 3]]})";
   if (family == "de-rham") {
     return {R"({})",
@@ -65,12 +86,15 @@ std::vector<std::string> cases_of(std::string_view family) {
             R"({"t": 0.4, "ends": "clamp", "levels": 4, )" + open + '}',
             R"({"lambda": -0.125, "levels": 6, "base": {"path": "M0 0h1v1z M3 0h1v1"}})",
             R"({"t": 1.2, "normalize": true, "levels": 5, "base": "triangle"})",
+            R"({"t": 1.2, "normalize": true, "levels": 5, )" + in_space + '}',
+            R"({"t": 0.3, "levels": 5, "base": {"solid": "octahedron"}})",
             R"({"t": -1e3, "levels": 5})"};
   }
   if (family == "four-point") {
     return {R"({})",
             R"({"levels": 0, )" + open + '}',
             R"({"t": 0.6, "levels": 9})",
+            R"({"t": 0.6, "levels": 7, )" + in_space + '}',
             R"({"w": 0.4, "levels": 6, "ends": "reflect", )" + open + '}',
             R"({"t": 0, "levels": 3, "ends": "replicate", )" + open + '}',
             R"({"levels": 4, "base": "segment"})",
@@ -82,6 +106,7 @@ std::vector<std::string> cases_of(std::string_view family) {
             R"({"levels": 0, "ends": "given", )" + open + '}',
             R"({"lambda": 0.2, "mu": 0.1, "nu": 0.3, "omega": -0.1, "levels": 6, "ends": "given", )" + open + '}',
             R"({"lambda": "1/30", "mu": "1/30", "omega": "1/3", "levels": 8})",
+            R"({"lambda": "1/30", "mu": "1/30", "omega": "1/3", "levels": 6, )" + in_space + '}',
             R"({"lambda": 0.125, "mu": 0.125, "omega": 0, "levels": 5, "ends": "reflect", )" + open + '}',
             R"({"levels": 4, "base": "segment"})",
             R"({"levels": 4, "base": {"points": [[1, 1], [1, 1]], "closed": true}})",
@@ -97,6 +122,19 @@ std::vector<std::string> cases_of(std::string_view family) {
   }
   if (family == "line-art") return line_art_cases();
   if (family == "line-art-boundary") return line_art_boundary_cases();
+  if (family == "line-art-3d") {
+    return {R"({})", R"({"lines": 1, "segments": 1, "length": 0, "heading": [1, 0, 0], "turn": 0})",
+            R"({"lines": 90, "lines_per_start": 3, "start": {"sphere": [0, 0, 0, 2]}, "turn": 180, "heading": [0, 0, 1],
+                "spread": 10, "places": "even"})",
+            R"({"lines": 90, "start": {"box": [0, 0, 0, 1, 2, 3]}, "camera": {"projection": "perspective"},
+                "compose": {"density": "depth", "kind": "3 * rand", "smooth": "corners", "spacing": 0.02}})"};
+  }
+  if (family == "line-art-boundary-3d") {
+    return {R"({})", R"({"lines": 1, "levels": 0})",
+            R"({"levels": 3, "from": [0, 0, 0], "to": [0, 0, 0], "unit": "absolute"})",
+            R"({"levels": 5, "lines": 20, "from": {"along": {"knot": [2, 3]}}, "to": {"polygon": "square"},
+                "pairing": "nearest", "decay": 0.5, "camera": {"projection": "perspective", "eye": [1, 2, 3]}})"};
+  }
   if (family == "svg") return {R"({"file": "drawing.svg"})", R"({"file": "drawing.svg", "parts": "outlines"})"};
   if (family == "shape") {
     return {R"({})",

@@ -85,7 +85,7 @@ class CellWalk {
     double size = 0.0;
     if (curve_.planar) {
       box = {{boxes[0].range.low, boxes[1].range.low}, {boxes[0].range.high, boxes[1].range.high}};
-      deviation = 2.0 * length({reach[0], reach[1]});
+      deviation = 2.0 * length(Vec2{reach[0], reach[1]});
       size = boxes[0].width * block_.chord_length;
     } else {
       const double x = first().begin + first().length * boxes[0].left.theta;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <burin/curves/line_art/ends.hpp>
 #include <burin/curves/line_art/line_art.hpp>
 
 namespace burin::curves::line_art {
@@ -25,16 +26,15 @@ class BoundaryModel {
   Box2 reach() const;
   /// Replaces `points` by the polyline, from its place in `from` to its place in `to`, both exact.
   void trace(std::uint64_t line, std::vector<Vec2>& points);
+  double depth() const { return 0.0; }
 
  private:
-  Vec2 end_of(std::uint64_t bundle, Vec2 start) const;
-  const Region& target_of(std::uint64_t bundle) const;
   void refine(std::uint64_t line, int level, const std::vector<Vec2>& from, std::vector<Vec2>& to) const;
 
   const LineArtBoundaryParams& params_;
   std::uint64_t seed_;
-  std::uint64_t places_ = 1;  ///< pairs of ends
-  FieldFunction wander_;      ///< an own copy: expressions are not shared between threads
+  Ends<LineArtBoundaryParams> ends_;
+  FieldFunction wander_;  ///< an own copy: expressions are not shared between threads
   std::vector<Vec2> spare_;
 };
 

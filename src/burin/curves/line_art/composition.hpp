@@ -44,7 +44,7 @@ struct Composition {
     return std::tuple{
         field("density", &Composition::density,
               "chance of a polyline to be drawn, 0 to 1, by x, y, r, phi of its first point, span and angle of its "
-              "chord, index, rand"),
+              "chord, index, rand, in space also depth: how far beyond the camera's target its middle lies"),
         field("kind", &Composition::kind, "`level` of its strokes for the pen's bands, 0 to 65535, by the same"),
         field("smooth", &Composition::smooth,
               "round the polylines: corners cuts them, four-point runs through the given points"),

@@ -22,6 +22,8 @@ inline constexpr std::uint64_t target = 10;
 inline constexpr std::uint64_t bundle = 11;
 inline constexpr std::uint64_t density = 12;
 inline constexpr std::uint64_t chance = 13;
+inline constexpr std::uint64_t start_z = 14;
+inline constexpr std::uint64_t end_z = 15;
 
 /// Draws whose first keys are mixed once: uniform(s) == burin::uniform(seed, purpose, line, s).
 class Keyed {

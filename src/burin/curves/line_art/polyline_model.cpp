@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <burin/base/math.hpp>
+#include <burin/curves/line_art/counts.hpp>
 #include <burin/curves/line_art/draws.hpp>
 #include <burin/curves/line_art/polyline_model.hpp>
 
@@ -29,9 +30,7 @@ PolylineModel::PolylineModel(const LineArtParams& params, std::uint64_t seed)
     : params_(params), seed_(seed), flow_(params.flow), stretch_(params.stretch) {}
 
 std::size_t PolylineModel::point_count(std::uint64_t line) const {
-  const auto choices = static_cast<double>(params_.segments.high - params_.segments.low + 1);
-  const double more = std::floor(uniform(seed_, draws::count, line) * choices);
-  return static_cast<std::size_t>(params_.segments.low) + static_cast<std::size_t>(more) + 1;
+  return segment_count(params_.segments, seed_, line) + 1;
 }
 
 Box2 PolylineModel::reach() const {

@@ -25,6 +25,7 @@ class PolylineModel {
   Box2 reach() const;
   /// Replaces `points` by the polyline; a single point when it ends at once.
   void trace(std::uint64_t line, std::vector<Vec2>& points) const;
+  double depth() const { return 0.0; }
 
  private:
   struct Walk;

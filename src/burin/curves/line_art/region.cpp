@@ -14,8 +14,8 @@ double fraction(double x) {
   return x - std::floor(x);
 }
 
-/// Two numbers in [0, 1) that say which place of a region is meant. `attempt`: the next ones, when a place fell
-/// outside.
+}  // namespace
+
 Vec2 chances(const PlaceKey& key, bool has_area, std::uint64_t attempt) {
   constexpr double golden = 0.61803398874989485;   // 1 / g, g^2 = g + 1
   constexpr double plastic = 0.75487766624669276;  // 1 / p, p^3 = p + 1
@@ -36,6 +36,8 @@ Vec2 chances(const PlaceKey& key, bool has_area, std::uint64_t attempt) {
   }
   return key.turned_round ? Vec2{1.0 - uv.x, uv.y} : uv;
 }
+
+namespace {
 
 bool inside_outlines(const AreaRegion& area, Vec2 p) {
   bool inside = false;

@@ -85,6 +85,7 @@ struct PlaceKey {
   std::uint64_t seed = 0;
   std::uint64_t x_draw = 0;  ///< what the draws are for
   std::uint64_t y_draw = 0;
+  std::uint64_t z_draw = 0;     ///< in space only
   std::uint64_t index = 0;      ///< of the place
   std::uint64_t count = 1;      ///< how many places there are, for steps
   std::uint64_t candidate = 0;  ///< another draw for the same index
@@ -92,9 +93,16 @@ struct PlaceKey {
   bool turned_round = false;  ///< counts from the other end
 };
 
+/// Two numbers in [0, 1) that say which place of a region is meant. `attempt`: the next ones, when a place fell
+/// outside.
+Vec2 chances(const PlaceKey& key, bool has_area, std::uint64_t attempt);
+
 /// The place: uniform in the region's area, in its length, or over its points. Random places are the reference's
 /// (curves G.2), with X and Y the two draws.
 Vec2 place_in(const Region& region, const PlaceKey& key);
+
+/// The inside of a base; nothing after reporting that it is too thin for places in it to be found.
+std::optional<AreaRegion> area_of(const BaseShape& base, const Where& where, params::ReadContext& context);
 
 /// The keys of a region written as a table, for help and docs.
 std::vector<params::FieldInfo> region_fields();

@@ -6,18 +6,13 @@
 
 #include <burin/base/number_text.hpp>
 #include <burin/base/random.hpp>
+#include <burin/curves/line_art/numbers.hpp>
 #include <burin/curves/line_art/region.hpp>
 
 /// How regions are written in presets.
 namespace burin::curves::line_art {
 
 namespace {
-
-/// Numbers in a list, as many as wanted.
-template <std::size_t N>
-struct Numbers {
-  std::array<double, N> values{};
-};
 
 /// The keys of a region written as a table.
 struct RegionSpec {
@@ -30,47 +25,21 @@ struct RegionSpec {
   std::optional<BaseShape> along;
   std::optional<BaseShape> points;
 
-  static constexpr auto fields();
-};
-
-}  // namespace
-
-}  // namespace burin::curves::line_art
-
-template <std::size_t N>
-struct burin::params::ValueType<burin::curves::line_art::Numbers<N>> {
-  static std::string name() { return std::to_string(N) + " numbers"; }
-  static bool read(const Value& value, burin::curves::line_art::Numbers<N>& numbers, ReadContext& context) {
-    const Array* array = value.array();
-    if (array == nullptr) return report_kind(value, "a list of " + name(), context);
-    if (array->size() != N) {
-      context.report(value.where, fmt::format("expected a list of {}, found a list of {}", name(), array->size()));
-      return false;
-    }
-    bool all = true;
-    for (std::size_t i = 0; i < N; ++i) all = read_number((*array)[i], numbers.values[i], context) && all;
-    return all;
+  static constexpr auto fields() {
+    using params::field;
+    return std::tuple{
+        field("point", &RegionSpec::point, "[x, y]"),
+        field("segment", &RegionSpec::segment, "[x0, y0, x1, y1]: its two ends"),
+        field("rectangle", &RegionSpec::rectangle, "[x0, y0, x1, y1]: two opposite corners"),
+        field("disc", &RegionSpec::disc, "[x, y, radius]"),
+        field("ring", &RegionSpec::ring, "[x, y, inner radius, outer radius]"),
+        field("polygon", &RegionSpec::polygon,
+              "the inside of a base: \"triangle\", { points = ... }, { path = \"M0 0 ...\" }, { csv = ... }"),
+        field("along", &RegionSpec::along, "the line of a base, by its length"),
+        field("points", &RegionSpec::points, "the corners of a base, such as { csv = \"file\" }")};
   }
-  static std::string text(const burin::curves::line_art::Numbers<N>&) { return {}; }
 };
 
-namespace burin::curves::line_art {
-
-namespace {
-
-constexpr auto RegionSpec::fields() {
-  using params::field;
-  return std::tuple{
-      field("point", &RegionSpec::point, "[x, y]"),
-      field("segment", &RegionSpec::segment, "[x0, y0, x1, y1]: its two ends"),
-      field("rectangle", &RegionSpec::rectangle, "[x0, y0, x1, y1]: two opposite corners"),
-      field("disc", &RegionSpec::disc, "[x, y, radius]"),
-      field("ring", &RegionSpec::ring, "[x, y, inner radius, outer radius]"),
-      field("polygon", &RegionSpec::polygon,
-            "the inside of a base: \"triangle\", { points = ... }, { path = \"M0 0 ...\" }, { csv = ... }"),
-      field("along", &RegionSpec::along, "the line of a base, by its length"),
-      field("points", &RegionSpec::points, "the corners of a base, such as { csv = \"file\" }")};
-}
 static_assert(params::ParamStruct<RegionSpec>);
 
 /// Whether random places in the area's box hit it often enough to be found.
@@ -86,6 +55,8 @@ bool can_be_hit(const AreaRegion& area) {
   return hits == enough;
 }
 
+}  // namespace
+
 std::optional<AreaRegion> area_of(const BaseShape& base, const Where& where, params::ReadContext& context) {
   AreaRegion area{base.polylines, {}};
   for (Polyline& outline : area.outlines) {
@@ -96,6 +67,8 @@ std::optional<AreaRegion> area_of(const BaseShape& base, const Where& where, par
   context.report(where, "the polygon fills less than a thousandth of its box; give it as 'along' or in thicker parts");
   return std::nullopt;
 }
+
+namespace {
 
 std::optional<TrackRegion> track_of(const BaseShape& base, const Where& where, params::ReadContext& context) {
   TrackRegion track{base.polylines, {}};

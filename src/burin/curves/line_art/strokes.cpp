@@ -15,14 +15,15 @@ double length_of(const std::vector<Vec2>& points) {
   return total;
 }
 
-Spot spot_of(const std::vector<Vec2>& points, std::uint64_t line, std::uint64_t seed) {
+Spot spot_of(const std::vector<Vec2>& points, std::uint64_t line, double depth, std::uint64_t seed) {
   const Vec2 chord = points.back() - points.front();
   return {points.front(),
           0.0,
           static_cast<double>(line),
           uniform(seed, draws::chance, line),
           length(chord),
-          math::atan2(chord.y, chord.x) / math::radians_per_degree};
+          math::atan2(chord.y, chord.x) / math::radians_per_degree,
+          depth};
 }
 
 }  // namespace
@@ -34,11 +35,11 @@ Strokes::Strokes(const Composition& composition, Meet meet, std::uint64_t seed)
   if (composition_.budget) left_ = *composition_.budget;
 }
 
-std::span<const std::vector<Vec2>> Strokes::of(std::uint64_t line, std::vector<Vec2>& points) {
+std::span<const std::vector<Vec2>> Strokes::of(std::uint64_t line, std::vector<Vec2>& points, double depth) {
   stroke_count_ = 0;
   if (spent() || points.size() < 2) return {};
   if (composition_.density || composition_.kind) {
-    const Spot spot = spot_of(points, line, seed_);
+    const Spot spot = spot_of(points, line, depth, seed_);
     // A density that is no number draws nothing.
     if (composition_.density && !(uniform(seed_, draws::density, line) < composition_.density(spot))) return {};
     const double kind = composition_.kind ? std::floor(composition_.kind(spot)) : 0.0;

@@ -19,7 +19,8 @@ class Strokes {
   Strokes(const Composition& composition, Meet meet, std::uint64_t seed);
 
   /// The strokes that polyline `line` leaves, valid until the next call; `points` is worked on. Lines come in order.
-  std::span<const std::vector<Vec2>> of(std::uint64_t line, std::vector<Vec2>& points);
+  /// `depth`: that of Spot.
+  std::span<const std::vector<Vec2>> of(std::uint64_t line, std::vector<Vec2>& points, double depth);
   /// The kind of the strokes made last.
   std::uint16_t kind() const { return kind_; }
   /// Whether the budget is used up: no later line leaves a stroke.

@@ -25,7 +25,8 @@ double SpotFunction<whole_line>::operator()(const Spot& spot) const {
       spot.line,
       spot.chance,
       spot.span,
-      spot.angle_deg};
+      spot.angle_deg,
+      spot.depth};
   return (*formula)(std::span<const double>(values).first(variables_of<whole_line>().size()));
 }
 

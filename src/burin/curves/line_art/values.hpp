@@ -33,10 +33,11 @@ struct Spot {
   double chance = 0.0;     ///< one draw for each polyline
   double span = 0.0;       ///< from its first to its last point
   double angle_deg = 0.0;  ///< of that chord, in (-180, 180]
+  double depth = 0.0;      ///< how far the middle of the line lies beyond the camera's target; in the plane 0
 };
 
 /// An expression over the plane: x y r phi (degrees), t along the polyline, index of the polyline, rand; for a whole
-/// polyline, at its start, also span and angle of its chord.
+/// polyline, at its start, also span and angle of its chord and depth in space.
 template <bool whole_line>
 struct SpotFunction {
   std::optional<expr::Expression> formula;  ///< nothing: not given
@@ -50,12 +51,12 @@ struct SpotFunction {
 using FieldFunction = SpotFunction<false>;
 using LineFunction = SpotFunction<true>;
 
-inline constexpr std::array<std::string_view, 9> spot_variables{"x",     "y",    "r",    "phi",  "t",
-                                                                "index", "rand", "span", "angle"};
+inline constexpr std::array<std::string_view, 10> spot_variables{"x",     "y",    "r",    "phi",   "t",
+                                                                 "index", "rand", "span", "angle", "depth"};
 
 template <bool whole_line>
 constexpr std::span<const std::string_view> variables_of() {
-  return std::span<const std::string_view>(spot_variables).first(whole_line ? 9 : 7);
+  return std::span<const std::string_view>(spot_variables).first(whole_line ? 10 : 7);
 }
 
 /// Compiles a text or takes a number. False after reporting.

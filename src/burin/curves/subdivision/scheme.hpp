@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include <burin/curves/refinement/cover.hpp>
+
 /// Subdivision schemes whose new points are weighted sums of a few old ones, drawn depth first: a window of control
 /// points determines one piece of the curve, and refining the window gives the windows of the piece's two halves. So a
 /// curve of 2^levels points needs O(levels) windows of memory, and a piece can be left out or cut short by itself.
@@ -37,16 +39,6 @@ struct Piece {
 
 template <class S, class Point>
 using PieceOf = Piece<Point, S::window>;
-
-/// What is known of a piece before it is refined: every point of it at the last level, both ends included, is within
-/// `radius` of the segment ab, and within `error` of the chord between its ends.
-template <class Point>
-struct Cover {
-  Point a;
-  Point b;
-  double radius;
-  double error;
-};
 
 /// The windows of both halves: the first one and the last one of `window` points in a row.
 template <class S, class Point>

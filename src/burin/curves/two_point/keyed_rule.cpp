@@ -17,27 +17,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t alpha_purpose = 1;
 constexpr std::uint64_t beta_purpose = 2;
 
-/// The values an amount can take; everything for expressions, whose range nobody knows.
-struct Interval {
-  double low;
-  double high;
-};
-
-Interval range_of(const Amount& amount) {
-  if (amount.expression) return {-infinity, infinity};
-  return {amount.low, amount.high};
-}
-
-double largest_magnitude(Interval i) {
-  return std::max(std::abs(i.low), std::abs(i.high));
-}
-
 /// max over sub-edges of |c_j - 1/2| / (1 - |r_j|), each bounded over its marks' ranges and both signs.
 double disc_of(const std::vector<Mark>& marks) {
   const auto corner = [&](std::size_t j) -> std::array<Interval, 2> {
     if (j == 0) return {{{0.0, 0.0}, {0.0, 0.0}}};
     if (j > marks.size()) return {{{1.0, 1.0}, {0.0, 0.0}}};
-    return {range_of(marks[j - 1].alpha), range_of(marks[j - 1].beta)};
+    return {marks[j - 1].alpha.range(), marks[j - 1].beta.range()};
   };
   double disc = 0.0;
   for (std::size_t j = 0; j <= marks.size(); ++j) {
@@ -62,18 +47,17 @@ double largest_over_marks(const Motif& motif, Bound bound) {
   return found;
 }
 
-/// B of reference curves A.4: the largest |beta|, when every alpha lies in [0, 1].
+}  // namespace
+
 double absolute_beta_bound(const std::vector<Mark>& marks) {
   double bound = 0.0;
   for (const Mark& mark : marks) {
-    const Interval alpha = range_of(mark.alpha);
+    const Interval alpha = mark.alpha.range();
     if (!(alpha.low >= 0.0 && alpha.high <= 1.0)) return infinity;
-    bound = std::max(bound, largest_magnitude(range_of(mark.beta)));
+    bound = std::max(bound, largest_magnitude(mark.beta.range()));
   }
   return bound;
 }
-
-}  // namespace
 
 KeyedRule::KeyedRule(const Motif& motif, const std::optional<SignRule>& sign, std::uint64_t seed)
     : motif_(motif), sign_(sign.value_or(motif.sign.value_or(SignRule{}))), seed_(seed) {
@@ -89,32 +73,29 @@ KeyedRule::KeyedRule(const Motif& motif, const std::optional<SignRule>& sign, st
   for (int level = 0; level < most_levels; ++level, power *= motif_.decay) decay_powers_.push_back(power);
 }
 
-double KeyedRule::value(const Amount& amount, int level, std::uint64_t edge, std::size_t marker,
-                        std::uint64_t purpose) const {
-  if (amount.is_constant()) return amount.low;
-  const double rand = uniform(seed_, level, edge + 1, marker, purpose);
-  if (!amount.expression) return amount.low + rand * (amount.high - amount.low);
-  const std::array<double, amount_variables.size()> variables{
-      static_cast<double>(level), static_cast<double>(edge) + 1.0, static_cast<double>(marker), rand};
-  return (*amount.expression)(variables);
+MarkPlace KeyedRule::place(const Mark& mark, int level, std::uint64_t edge, std::size_t marker) const {
+  return {mark.alpha.at(seed_, {level, edge, marker, alpha_purpose}),
+          mark.beta.at(seed_, {level, edge, marker, beta_purpose})};
+}
+
+double KeyedRule::sign_and_decay(int level, std::uint64_t edge) const {
+  return sign_(seed_, level, edge) * decay(level);
 }
 
 void KeyedRule::path(Vec2 p, Vec2 q, int level, std::uint64_t edge, std::vector<Vec2>& path) const {
-  const Stage& stage = motif_.stage(level);
-  const std::vector<Mark>& marks = stage.by_edge[edge % stage.by_edge.size()];
+  const std::vector<Mark>& marks = motif_.marks(level, edge);
   const Vec2 d = q - p;
   Vec2 right{d.y, -d.x};
   if (motif_.absolute) {
     const double norm = length(d);
     right = norm > 0.0 ? Vec2{right.x / norm, right.y / norm} : Vec2{};
   }
-  const double factor = sign_(seed_, level, edge) * decay_powers_[static_cast<std::size_t>(level - 1)];
+  const double factor = sign_and_decay(level, edge);
   path.clear();
   path.push_back(p);
   for (std::size_t j = 0; j < marks.size(); ++j) {
-    const double alpha = value(marks[j].alpha, level, edge, j + 1, alpha_purpose);
-    const double beta = factor * value(marks[j].beta, level, edge, j + 1, beta_purpose);
-    path.push_back(p + alpha * d + beta * right);
+    const auto [alpha, beta] = place(marks[j], level, edge, j + 1);
+    path.push_back(p + alpha * d + factor * beta * right);
   }
   path.push_back(q);
 }

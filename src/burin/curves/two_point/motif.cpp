@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <utility>
 
@@ -33,10 +34,7 @@ bool Motif::is_constant() const {
 }
 
 bool Motif::is_random() const {
-  constexpr std::size_t rand_variable = 3;
-  return any_amount(*this, [](const Amount& amount) {
-    return amount.expression ? amount.expression->uses(rand_variable) : amount.low != amount.high;
-  });
+  return any_amount(*this, [](const Amount& amount) { return amount.is_random(); });
 }
 
 namespace {
@@ -98,42 +96,6 @@ struct MotifSpec {
 namespace burin::params {
 
 namespace two_point = curves::two_point;
-
-template <>
-struct ValueType<two_point::Amount> {
-  static bool read(const Value& value, two_point::Amount& amount, ReadContext& context) {
-    if (const std::string* text = value.text()) {
-      Result<expr::Expression> compiled = expr::Expression::compile(*text, two_point::amount_variables, value.where);
-      if (!compiled) {
-        context.problems.insert(context.problems.end(), compiled.problems().begin(), compiled.problems().end());
-        return false;
-      }
-      if (!compiled->is_constant()) {
-        amount = {0.0, 0.0, *std::move(compiled)};
-        return true;
-      }
-    } else if (const Table* table = value.table()) {
-      return read_range(*table, value.where, amount, context);
-    }
-    if (!read_number(value, amount.low, context)) return false;
-    amount = {amount.low, amount.low, std::nullopt};
-    return true;
-  }
-
-  static bool read_range(const Table& table, const Where& where, two_point::Amount& amount, ReadContext& context) {
-    const Value* range = table.find("random");
-    if (range == nullptr || table.entries.size() != 1 || range->array() == nullptr || range->array()->size() != 2) {
-      context.report(where, "a random amount is written { random = [low, high] }");
-      return false;
-    }
-    amount = {};
-    if (!read_number((*range->array())[0], amount.low, context)) return false;
-    if (!read_number((*range->array())[1], amount.high, context)) return false;
-    if (amount.low <= amount.high) return true;
-    context.report(range->where, "the low end of a random range must not lie above its high end");
-    return false;
-  }
-};
 
 template <>
 struct ValueType<two_point::Mark> {

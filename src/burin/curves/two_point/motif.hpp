@@ -1,33 +1,18 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include <burin/curves/two_point/amount.hpp>
 #include <burin/curves/two_point/sign_rule.hpp>
-#include <burin/expr/expression.hpp>
 #include <burin/geom/vec2.hpp>
 #include <burin/params/fields.hpp>
 #include <burin/params/read_value.hpp>
 
 namespace burin::curves::two_point {
-
-/// The variables of an amount's expression, in this order: level m and edge i, both from 1, marker j from 1, and rand,
-/// uniform in [0, 1) and keyed by (seed, level, edge, marker).
-inline constexpr std::array<std::string_view, 4> amount_variables{"level", "edge", "marker", "rand"};
-
-/// Half of a mark: a number, a range to draw from, or an expression.
-struct Amount {
-  double low = 0.0;
-  double high = 0.0;  ///< low == high: a constant
-  std::optional<expr::Expression> expression{};
-
-  bool is_constant() const { return !expression && low == high; }
-};
 
 /// Marker j of an edge: how far along (alpha) and how far to the right of travel (beta, y up). Source: Ding & Qi, eq.
 /// (4).
@@ -58,6 +43,11 @@ struct Motif {
 
   bool has_flags() const { return !flip.empty() || !reverse.empty(); }
   const Stage& stage(int level) const { return by_level[static_cast<std::size_t>(level - 1) % by_level.size()]; }
+  /// The marks of edge `edge` (from 0, modulo 2^64) when `level` (from 1) is made.
+  const std::vector<Mark>& marks(int level, std::uint64_t edge) const {
+    const Stage& of_level = stage(level);
+    return of_level.by_edge[edge % of_level.by_edge.size()];
+  }
   /// Whether every amount is a constant.
   bool is_constant() const;
   /// Whether an amount depends on the seed.
