@@ -190,7 +190,7 @@ TEST(LineArt3d, OneMorePolylineChangesNoOther) {
   for (const auto& [family, rest] :
        {std::pair{"line-art-3d", R"("start": {"ball": [0, 0, 0, 1]}, "compose": {"density": 0.5})"},
         {"line-art-boundary-3d", R"("to": [{"sphere": [4, 0, 0, 1]}, {"point": [3, 3, 3]}])"}}) {
-    const auto with = [&](int lines) { return fmt::format(R"({{"lines": {}, {}}})", lines, rest); };
+    const auto with = [keys = rest](int lines) { return fmt::format(R"({{"lines": {}, {}}})", lines, keys); };
     const std::vector<DrawnLine> few = drawn_lines(family, with(100), {.seed = 9});
     const std::vector<DrawnLine> more = drawn_lines(family, with(140), {.seed = 9});
     ASSERT_GT(more.size(), few.size());
