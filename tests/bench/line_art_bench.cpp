@@ -40,8 +40,8 @@ class LineArtBench : public testing::Test {
       native = cheapest(native, run("native"));
       cairo = cheapest(cairo, run("cairo"));
     }
-    print_row((suffix + ", native").c_str(), native);
-    print_row((suffix + ", Cairo").c_str(), cairo);
+    print_row(("line art, " + suffix + ", native").c_str(), native);
+    print_row(("line art, " + suffix + ", Cairo").c_str(), cairo);
     std::printf("native / Cairo: cpu 1 / %.1f\n", cairo.cpu_s / native.cpu_s);
     EXPECT_LE(native.cpu_s * times_cheaper, cairo.cpu_s);
     EXPECT_LE(native.peak_mib, 64.0);

@@ -52,11 +52,11 @@ class PdfBench : public testing::Test {
 };
 
 TEST_F(PdfBench, AMillionSegmentsAreSmallerAndASixthOfCairos) {
-  compare("Koch 10", koch(10));
+  compare("PDF, Koch, order 10", koch(10));
 }
 
 TEST_F(PdfBench, AHundredThousandLinesAreSmallerAndASixthOfCairos) {
-  compare("100,000 x 20 points", {BURIN_DRAW_LINES_PATH});
+  compare("PDF, 100,000 x 20 points", {BURIN_DRAW_LINES_PATH});
 }
 
 TEST_F(PdfBench, MemoryDoesNotGrowWithTheDrawing) {
@@ -64,8 +64,8 @@ TEST_F(PdfBench, MemoryDoesNotGrowWithTheDrawing) {
   Row twelve;
   run(ten, koch(10), "native");
   run(twelve, koch(12), "native");
-  print_row("order 10", ten.cost);
-  print_row("order 12", twelve.cost);
+  print_row("PDF, Koch, order 10", ten.cost);
+  print_row("PDF, Koch, order 12", twelve.cost);
   EXPECT_LE(twelve.cost.peak_mib, ten.cost.peak_mib + 1.0);
   EXPECT_LE(twelve.cost.peak_mib, 32.0);
 }

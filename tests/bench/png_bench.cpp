@@ -79,7 +79,7 @@ class PngBench : public testing::Test {
 TEST_F(PngBench, KochOfOrderTenIsFarCheaperThanCairo) {
   const std::string koch = preset("koch", 10);
   const Ratio ratio = against_cairo(koch);
-  print_ratio("Koch, order 10: Cairo / native", ratio);
+  print_ratio("PNG, Koch, order 10: Cairo / native", ratio);
   expect_alike(6.0);  // Cairo draws where its chunks meet twice
   EXPECT_GE(ratio.median, 28.0);
 }
@@ -99,9 +99,9 @@ TEST_F(PngBench, OrderElevenCostsNoMoreThanEight) {
         eleven = cheapest(eleven, ours(koch11));
         return eleven.cpu_s;
       });
-  print_row("Koch, order 8", eight);
-  print_row("Koch, order 11", eleven);
-  print_ratio("order 11 / order 8", ratio);
+  print_row("PNG, Koch, order 8", eight);
+  print_row("PNG, Koch, order 11", eleven);
+  print_ratio("PNG, Koch, order 11 / order 8", ratio);
   EXPECT_LE(ratio.median, 1.3);
   EXPECT_LE(eleven.peak_mib, 20.0);
 }
@@ -109,7 +109,7 @@ TEST_F(PngBench, OrderElevenCostsNoMoreThanEight) {
 TEST_F(PngBench, AMillionSegmentsOfDragonAreThreeTimesCheaperThanCairos) {
   const std::string dragon = preset("dragon", 20);
   const Ratio ratio = against_cairo(dragon);
-  print_ratio("dragon, 2^20: Cairo / native", ratio);
+  print_ratio("PNG, dragon, 2^20: Cairo / native", ratio);
   expect_alike(4.0);
   EXPECT_GE(ratio.median, 3.5);
 }
@@ -118,7 +118,7 @@ TEST_F(PngBench, AHundredThousandPolylinesAreThreeTimesCheaperThanCairos) {
   const Ratio ratio = times_theirs(
       5, [&] { return lines_program("polylines", "native").cpu_s; },
       [&] { return lines_program("polylines", "1000").cpu_s; });
-  print_ratio("polylines: Cairo / native", ratio);
+  print_ratio("PNG, 100,000 x 20 points: Cairo / native", ratio);
   expect_alike(8.0);  // Cairo darkens where lines cross
   EXPECT_GE(ratio.median, 3.0);
 }
@@ -160,7 +160,7 @@ TEST_F(PngBench, EncodingIsTenTimesCheaperThanCairos) {
   };
   const Ratio ratio = times_theirs(turns, native, cairo);
   cairo_surface_destroy(surface);
-  print_ratio("encoding: Cairo / native", ratio);
+  print_ratio("PNG, encoding alone: Cairo / native", ratio);
   std::printf("  %zu bytes\n", bytes);
   EXPECT_GE(ratio.median, 10.0);
   EXPECT_LE(bytes, 50'000U);
@@ -168,7 +168,7 @@ TEST_F(PngBench, EncodingIsTenTimesCheaperThanCairos) {
 
 TEST_F(PngBench, APosterOfFourHundredMillionPixelsTakesLittleMemory) {
   const Cost poster = ours(preset("koch", 12), "20000px");
-  print_row("Koch, 20000 x 20000 px", poster);
+  print_row("PNG, Koch, 20000 x 20000 px", poster);
   EXPECT_LE(poster.peak_mib, 64.0);
 }
 

@@ -44,8 +44,8 @@ TEST_F(SvgBench, AMillionSegmentsAreSmallAndTwentyTimesCheaperThanCairos) {
     cairo = cheapest(cairo, draw(10, true, "cairo"));
     cairo_bytes = bytes();
   }
-  print_row("order 10, native", native);
-  print_row("order 10, Cairo", cairo);
+  print_row("SVG, Koch, order 10, native", native);
+  print_row("SVG, Koch, order 10, Cairo", cairo);
   std::printf("native / Cairo: cpu 1 / %.1f; bytes a segment: %.3f, Cairo %.3f\n", cairo.cpu_s / native.cpu_s,
               native_bytes / segments(10), cairo_bytes / segments(10));
   EXPECT_LE(native_bytes / segments(10), 8.5);
@@ -59,8 +59,8 @@ TEST_F(SvgBench, SixteenMillionSegmentsCostSixteenTimesAsMuchAndNoMemory) {
     ten = cheapest(ten, draw(10, true));
     twelve = cheapest(twelve, draw(12, true));
   }
-  print_row("order 10, native", ten);
-  print_row("order 12, native", twelve);
+  print_row("SVG, Koch, order 10, native", ten);
+  print_row("SVG, Koch, order 12, native", twelve);
   std::printf("order 12 / order 10: cpu x %.1f, wall x %.1f; bytes a segment: %.3f\n", twelve.cpu_s / ten.cpu_s,
               twelve.wall_s / ten.wall_s, bytes() / segments(12));
   EXPECT_LE(twelve.cpu_s, 20.0 * ten.cpu_s);
@@ -71,7 +71,7 @@ TEST_F(SvgBench, SixteenMillionSegmentsCostSixteenTimesAsMuchAndNoMemory) {
 TEST_F(SvgBench, TwoHundredLevelsTakeABlink) {
   Cost deep = unknown;
   for (int turn = 0; turn < 3; ++turn) deep = cheapest(deep, draw(200, false));
-  print_row("200 levels", deep);
+  print_row("SVG, Koch, 200 levels", deep);
   EXPECT_LE(deep.wall_s, 1.0);
   EXPECT_LE(deep.peak_mib, 24.0);
 }
