@@ -73,9 +73,7 @@ bool check_boundary(const std::vector<double>& weights, std::size_t targets, con
 
 namespace {
 
-struct PolylineFamily {
-  using Params = LineArtParams;
-
+struct PolylineFamily : StrokeFamily<LineArtParams, PolylineModel> {
   static bool check(const Params& params, const params::Table& table, params::ReadContext& context) {
     const auto fail = [&](const char* key, std::string message) {
       context.report(table.find(key)->where, std::move(message));
@@ -93,16 +91,6 @@ struct PolylineFamily {
     return check_segments(params.segments, params.length, params.compose, table, context);
   }
 
-  static std::optional<Box2> bounds(const Params& params, const DrawContext& context, const Affine2& frame) {
-    return stroke_bounds(PolylineModel(params, context.seed), context, frame);
-  }
-  static Forecast forecast(const Params& params, const DrawContext& context, double enough) {
-    return stroke_forecast(PolylineModel(params, context.seed), context, enough);
-  }
-  static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
-    return draw_strokes(PolylineModel(params, context.seed), context, sink);
-  }
-
   static bool uses_seed(const Params& params) {
     const bool any_heading = !params.heading && !params.flow;
     const bool random_start = !std::holds_alternative<SpotRegion>(params.start.shape) && params.places != Places::steps;
@@ -113,22 +101,10 @@ struct PolylineFamily {
   }
 };
 
-struct BoundaryFamily {
-  using Params = LineArtBoundaryParams;
-
+struct BoundaryFamily : StrokeFamily<LineArtBoundaryParams, BoundaryModel> {
   static bool check(const Params& params, const params::Table& table, params::ReadContext& context) {
     return check_boundary(params.weights, params.to.all.size(), params.markers, params.levels, params.compose, table,
                           context);
-  }
-
-  static std::optional<Box2> bounds(const Params& params, const DrawContext& context, const Affine2& frame) {
-    return stroke_bounds(BoundaryModel(params, context.seed), context, frame);
-  }
-  static Forecast forecast(const Params& params, const DrawContext& context, double enough) {
-    return stroke_forecast(BoundaryModel(params, context.seed), context, enough);
-  }
-  static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
-    return draw_strokes(BoundaryModel(params, context.seed), context, sink);
   }
 
   static bool uses_seed(const Params& params) {

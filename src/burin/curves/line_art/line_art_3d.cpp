@@ -11,9 +11,7 @@ namespace line_art {
 
 namespace {
 
-struct SpacePolylineFamily {
-  using Params = LineArt3dParams;
-
+struct SpacePolylineFamily : StrokeFamily<LineArt3dParams, SpacePolylineModel> {
   static bool check(const Params& params, const params::Table& table, params::ReadContext& context) {
     if (params.heading && *params.heading == Vec3{}) {
       context.report(table.find("heading")->where, "'heading' is a direction; [0, 0, 0] is none");
@@ -26,16 +24,6 @@ struct SpacePolylineFamily {
     return check_segments(params.segments, params.length, params.compose, table, context);
   }
 
-  static std::optional<Box2> bounds(const Params& params, const DrawContext& context, const Affine2& frame) {
-    return stroke_bounds(SpacePolylineModel(params, context.seed), context, frame);
-  }
-  static Forecast forecast(const Params& params, const DrawContext& context, double enough) {
-    return stroke_forecast(SpacePolylineModel(params, context.seed), context, enough);
-  }
-  static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
-    return draw_strokes(SpacePolylineModel(params, context.seed), context, sink);
-  }
-
   static bool uses_seed(const Params& params) {
     return !params.heading || params.spread > 0.0 || params.turn > 0.0 || !params.start.is_spot() ||
            params.segments.low < params.segments.high || params.length.low < params.length.high ||
@@ -43,22 +31,10 @@ struct SpacePolylineFamily {
   }
 };
 
-struct SpaceBoundaryFamily {
-  using Params = LineArtBoundary3dParams;
-
+struct SpaceBoundaryFamily : StrokeFamily<LineArtBoundary3dParams, SpaceBoundaryModel> {
   static bool check(const Params& params, const params::Table& table, params::ReadContext& context) {
     return check_boundary(params.weights, params.to.all.size(), params.markers, params.levels, params.compose, table,
                           context);
-  }
-
-  static std::optional<Box2> bounds(const Params& params, const DrawContext& context, const Affine2& frame) {
-    return stroke_bounds(SpaceBoundaryModel(params, context.seed), context, frame);
-  }
-  static Forecast forecast(const Params& params, const DrawContext& context, double enough) {
-    return stroke_forecast(SpaceBoundaryModel(params, context.seed), context, enough);
-  }
-  static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
-    return draw_strokes(SpaceBoundaryModel(params, context.seed), context, sink);
   }
 
   static bool uses_seed(const Params& params) {

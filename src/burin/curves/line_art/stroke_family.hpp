@@ -117,4 +117,20 @@ bool check_boundary(const std::vector<double>& weights, std::size_t targets, con
 /// A line is made in one piece, so its points must fit into memory: false after reporting at `knob`.
 bool check_line_points(double points, const params::Table& table, const char* knob, params::ReadContext& context);
 
+/// What every family of strokes has alike, from the model that makes its polylines.
+template <class P, class Model>
+struct StrokeFamily {
+  using Params = P;
+
+  static std::optional<Box2> bounds(const Params& params, const DrawContext& context, const Affine2& frame) {
+    return stroke_bounds(Model(params, context.seed), context, frame);
+  }
+  static Forecast forecast(const Params& params, const DrawContext& context, double enough) {
+    return stroke_forecast(Model(params, context.seed), context, enough);
+  }
+  static Flow draw(const Params& params, const DrawContext& context, PathSink& sink) {
+    return draw_strokes(Model(params, context.seed), context, sink);
+  }
+};
+
 }  // namespace burin::curves::line_art
