@@ -67,7 +67,9 @@ bool PngReader::read_head() {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_read_fn(png, this, hand_over);
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
+  // Only what pixels are made of is read: for a text libpng would take as much memory as its chunk claims to have.
+  constexpr int every_other_chunk = -1;
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, every_other_chunk);
   png_read_info(png, info);
   width = png_get_image_width(png, info);
   height = png_get_image_height(png, info);

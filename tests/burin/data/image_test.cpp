@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <sys/resource.h>
 #include <tuple>
 #include <utility>
 
@@ -204,6 +205,23 @@ TEST(Png, SizesThatNobodyCanHoldAreALimit) {
     EXPECT_EQ(too_large.trouble, Trouble::limit) << too_large.message;
     EXPECT_NE(too_large.message.find("pixels"), std::string::npos) << too_large.message;
   }
+}
+
+long peak_kib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST(Png, NoMemoryIsTakenForChunksThatClaimToBeHuge) {
+  constexpr std::size_t after_head = 33;
+  const long before = peak_kib();
+  for (const char* kind : {"tEXt", "iCCP", "zTXt", "sPLT", "juNk"}) {
+    std::string file = small_file();
+    file.insert(after_head, std::string("\x60\0\0\0", 4) + kind + std::string(40, 'a'));
+    EXPECT_NE(problem(file).message, "") << kind;
+  }
+  EXPECT_LT(peak_kib() - before, 256L << 10U);
 }
 
 TEST(Png, AFileTooShortForItsSizeIsRefusedAtOnce) {
