@@ -103,8 +103,8 @@ Rows curve_rows(const Measured& measured) {
   if (measured.boxes) {
     const BoxDimension& fit = *measured.boxes;
     rows.emplace_back("box dimension",
-                      fmt::format("{:.4f} +- {:.4f} (r2 {:.5f}, {} sizes of boxes){}", fit.dimension,
-                                  fit.standard_error, fit.r_squared, fit.scales.size(),
+                      fmt::format("{:.4f} +- {:.4f} (r2 {:.5f}, {} sizes of {}){}", fit.dimension, fit.standard_error,
+                                  fit.r_squared, fit.scales.size(), fit.is_of_graph ? "columns" : "boxes",
                                   fit.is_of_few_edges ? ", of so few edges that of the polyline itself" : ""));
   }
   for (const KnownCurve& curve : measured.source.known) {
@@ -231,6 +231,7 @@ std::string as_json(const Measured& measured) {
     json.add("box_dimension", measured.boxes->dimension);
     json.add("box_dimension_error", measured.boxes->standard_error);
     json.add("box_dimension_r_squared", measured.boxes->r_squared);
+    json.add("box_method", measured.boxes->is_of_graph ? "columns" : "grid");
     std::string scales;
     for (const measure::BoxScale& scale : measured.boxes->scales) {
       scales +=
@@ -347,7 +348,10 @@ Command measure_command() {
       "SVG file is measured in its pixels, y up.\n\n"
       "The box dimension is the slope of a line fitted to the logarithms of how many boxes of a grid the drawing "
       "meets: boxes from 1/8 of its longer side down to 1/256, but not smaller than two edges, each count the mean "
-      "of nine positions of the grid. The error is the slope's standard error; that of the method is about 0.02.\n\n"
+      "of nine positions of the grid. The graph of a function, of 2048 edges or more, is counted in columns of boxes "
+      "by "
+      "its oscillations, which is exact much sooner. The error is the slope's standard error; that of the method is "
+      "about 0.02.\n\n"
       "Of a preset's curves theory is told, too: the similarity dimension of two-point curves, how smooth the limit of "
       "a subdivision or interpolation is proven and excluded to be, and bounds of a fractal interpolation's "
       "dimension.\n\n"

@@ -78,10 +78,9 @@ Sheet box_plot_sheet(const std::string& title) {
 Flow draw_box_plot(const measure::BoxDimension& fit, const std::string& title, PathSink& sink) {
   const double ln2 = math::log(2.0);
   const auto log2_of = [&](double x) { return math::log(x) / ln2; };
-  const double longer_side = 8.0 * fit.scales.front().side;
   Box2 logs;
   for (const measure::BoxScale& scale : fit.scales) {
-    logs.add(Vec2{log2_of(longer_side / scale.side), log2_of(scale.count)});
+    logs.add(Vec2{log2_of(fit.extent / scale.side), log2_of(scale.count)});
   }
   logs = logs.grown(0.5);
   const auto place = [&](Vec2 log) {
@@ -119,11 +118,11 @@ Flow draw_box_plot(const measure::BoxDimension& fit, const std::string& title, P
     if (pencil.text(each.words, each.at, each.height_mm, curves::TextAlign::left) == Flow::stop) return Flow::stop;
   }
   for (const measure::BoxScale& scale : fit.scales) {
-    const Vec2 at = place({log2_of(longer_side / scale.side), log2_of(scale.count)});
+    const Vec2 at = place({log2_of(fit.extent / scale.side), log2_of(scale.count)});
     if (pencil.circle(dots, at, dot_mm) == Flow::stop) return Flow::stop;
   }
   const auto fitted = [&](double log_boxes) {
-    const double side = longer_side / math::exp(log_boxes * ln2);
+    const double side = fit.extent / math::exp(log_boxes * ln2);
     return place({log_boxes, (fit.intercept - fit.dimension * math::log(side)) / ln2});
   };
   return pencil.segment(line, fitted(logs.low.x + 0.25), fitted(logs.high.x - 0.25));

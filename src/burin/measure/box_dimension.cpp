@@ -5,6 +5,7 @@
 #include <burin/base/check.hpp>
 #include <burin/base/math.hpp>
 #include <burin/measure/box_dimension.hpp>
+#include <burin/measure/graph_scales.hpp>
 
 namespace burin::measure {
 
@@ -127,32 +128,45 @@ std::uint64_t box_count(const Recording& drawing, double side, Vec2 origin) {
   return cells.marked();
 }
 
-Result<BoxDimension> box_dimension(const Recording& drawing) {
+namespace {
+
+/// The scales of a drawing by boxes, and whether they are smaller than its edges.
+void count_on_grids(const Recording& drawing, double median_edge, BoxDimension& fit) {
   constexpr double largest = 3.0;  // boxes of 2^-3 of the longer side
   constexpr double smallest = 8.0;
   constexpr double step = 0.5;
   constexpr int offsets = 3;
+  const Vec2 low = drawing.bounds().low;
+  const double finest_for_edges = std::floor(math::log2(fit.extent / (2.0 * median_edge)) / step) * step;
+  fit.is_of_few_edges = finest_for_edges < largest + 2.0 * step;
+  const double finest = fit.is_of_few_edges ? smallest : std::min(smallest, finest_for_edges);
+  for (double k = largest; k <= finest; k += step) {
+    const double side = fit.extent / math::pow(2.0, k);
+    double sum = 0.0;
+    for (int i = 0; i < offsets; ++i) {
+      for (int j = 0; j < offsets; ++j) {
+        const Vec2 origin{low.x - side * i / offsets, low.y - side * j / offsets};
+        sum += static_cast<double>(box_count(drawing, side, origin));
+      }
+    }
+    fit.scales.push_back({side, sum / (offsets * offsets)});
+  }
+}
+
+}  // namespace
+
+Result<BoxDimension> box_dimension(const Recording& drawing) {
   const Box2 box = drawing.bounds();
   const double longer = box.empty() ? 0.0 : std::max(box.width(), box.height());
   const double edge = median_edge(drawing);
   if (!(longer > 0.0) || !(edge > 0.0)) {
     return Problem{{}, "the box dimension needs a drawing of some extent"};
   }
-  const double finest_for_edges = std::floor(math::log2(longer / (2.0 * edge)) / step) * step;
   BoxDimension fit;
-  fit.is_of_few_edges = finest_for_edges < largest + 2.0 * step;
-  const double finest = fit.is_of_few_edges ? smallest : std::min(smallest, finest_for_edges);
-  for (double k = largest; k <= finest; k += step) {
-    const double side = longer / math::pow(2.0, k);
-    double sum = 0.0;
-    for (int i = 0; i < offsets; ++i) {
-      for (int j = 0; j < offsets; ++j) {
-        const Vec2 origin{box.low.x - side * i / offsets, box.low.y - side * j / offsets};
-        sum += static_cast<double>(box_count(drawing, side, origin));
-      }
-    }
-    fit.scales.push_back({side, sum / (offsets * offsets)});
-  }
+  fit.scales = graph_scales(drawing);
+  fit.is_of_graph = !fit.scales.empty();
+  fit.extent = fit.is_of_graph ? box.width() : longer;
+  if (!fit.is_of_graph) count_on_grids(drawing, edge, fit);
   fit_line(fit);
   return fit;
 }

@@ -98,6 +98,48 @@ TEST(BoxDimension, IsTheReferencesEstimate) {
   }
 }
 
+/// The graph over nodes `x` at so many levels.
+Recording graph(const nlohmann::json& scaling, int levels, const std::vector<double>& x = {0, 0.25, 0.5, 0.75, 1}) {
+  const std::vector<double> y{0, 0.8, 0.2, 1, 0.3};
+  nlohmann::json params{{"alpha", 1.5}, {"beta", 0.7}, {"scaling", scaling}, {"levels", levels}};
+  for (std::size_t k = 0; k < x.size(); ++k) params["points"].push_back({x[k], y[k]});
+  return polyline(burin::testing::draw_points("fractal-interpolation", params));
+}
+
+TEST(BoxDimension, OfGraphsOfFractalInterpolations) {
+  const auto expect = [](const Recording& drawing, double dimension) {
+    const Result<BoxDimension> found = box_dimension(drawing);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->is_of_graph);
+    EXPECT_NEAR(found->dimension, dimension, 0.03);
+  };
+  expect(graph(0.5, 6), 1.5);
+  expect(graph(0.7, 6), 1.7427);
+  expect(graph({0.9, -0.6, 0.4, 0.8}, 6), 1.7165);
+  expect(graph(0.3, 8), 1.1315);
+  expect(graph(0.1, 6), 1.0);
+  expect(graph(nlohmann::json::parse("[[0.5, 0.4]]"), 6), 1.5460);
+  expect(graph(0.6, 6, {0, 0.1, 0.35, 0.6, 1}), 1.6140);
+}
+
+TEST(BoxDimension, OfASmoothGraphIsOne) {
+  std::vector<Vec2> line;
+  std::vector<Vec2> wave;
+  for (int i = 0; i <= 5000; ++i) {
+    line.push_back({5.0 - 0.001 * i, 0.3 * i});
+    wave.push_back({0.001 * i, std::sin(0.001 * i)});
+  }
+  EXPECT_NEAR(box_dimension(polyline(line))->dimension, 1.0, 1e-9);
+  EXPECT_NEAR(box_dimension(polyline(wave))->dimension, 1.0, 0.02);
+  // What stands, what turns back and what is flat is counted on a grid.
+  for (Vec2& p : line) p.x = 1.0;
+  EXPECT_FALSE(box_dimension(polyline(line))->is_of_graph);
+  wave.back().x = 0.0;
+  EXPECT_FALSE(box_dimension(polyline(wave))->is_of_graph);
+  for (Vec2& p : wave) p.y = 1.0;
+  EXPECT_FALSE(box_dimension(polyline(wave))->is_of_graph);
+}
+
 TEST(BoxDimension, DoesNotDependOnPlaceAndSize) {
   std::vector<Vec2> points = two_point_curve(R"({"motif": "koch", "levels": 6})").all_points();
   const double here = box_dimension(polyline(points))->dimension;
