@@ -34,9 +34,9 @@ std::string system_words(int error);
 /// Writes all of it, whatever signals come; 0 or errno.
 int write_all(int fd, std::string_view bytes);
 
-/// Presets are small; data may be a photograph.
+/// Presets are small; data may be ten million points or a photograph.
 inline constexpr std::size_t preset_limit_bytes = std::size_t{256} << 10U;
-inline constexpr std::size_t data_limit_bytes = std::size_t{64} << 20U;
+inline constexpr std::size_t data_limit_bytes = std::size_t{256} << 20U;
 
 /// The whole of a file of at most `limit_bytes`; `shown` names it in messages. Pipes may be read, folders not.
 Result<std::string> read_file(const std::string& path, const std::string& shown, std::size_t limit_bytes);

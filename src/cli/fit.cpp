@@ -134,14 +134,17 @@ std::string json_text(const fractal::Comparison& comparison) {
                         shortest_text(comparison.fits[static_cast<std::size_t>(method)].rmse));
     numbers += fmt::format("{}\"{}\": {}", comma, json_name(name), fractal::stored_numbers(method, intervals));
   }
-  return fmt::format("{{\n  \"points\": {},\n  \"intervals\": {},\n  \"rmse\": {{{}}},\n  \"parameters\": {{{}}}\n}}\n",
-                     comparison.t.size(), intervals, rmse, numbers);
+  return fmt::format(
+      "{{\n  \"points\": {},\n  \"fitted_every\": {},\n  \"intervals\": {},\n  \"rmse\": {{{}}},\n  \"parameters\": "
+      "{{{}}}\n}}\n",
+      comparison.t.size(), comparison.step, intervals, rmse, numbers);
 }
 
 std::string report_text(const fractal::Comparison& comparison, const std::string& path) {
   const std::size_t intervals = comparison.knots.size() - 1;
-  std::string text = fmt::format("{}: {} points, {} intervals; errors where the larger side is 1\n\n", path,
-                                 comparison.t.size(), intervals);
+  const std::string sample = comparison.step == 1 ? "" : fmt::format(", 1 of {} fitted", comparison.step);
+  std::string text = fmt::format("{}: {} points{}, {} intervals; errors where the larger side is 1\n\n", path,
+                                 comparison.t.size(), sample, intervals);
   text += fmt::format("  {:<20}  {:>9}  {:>14}\n", "method", "RMSE", "numbers stored");
   for (const auto& [name, method] : words(fractal::Method{})) {
     text += fmt::format("  {:<20}  {:>9.6f}  {:>14}\n", name, comparison.fits[static_cast<std::size_t>(method)].rmse,

@@ -66,8 +66,10 @@ CoordinateFit collage_fit(const DenseData& dense, DerivativeRule rule, std::size
 CoordinateFit collage_fit(const DenseData& dense, std::vector<double> derivatives, std::vector<Shape> shapes,
                           std::size_t coefficients);
 
-/// The fit of a method: the best of those for both derivative rules and of the methods it contains, so that a method
-/// with more freedom is never worse.
+/// The fits of every method up to this one: each is the best of those for both derivative rules and of the methods it
+/// contains, so that a method with more freedom is never worse. Time O(places), and for each interval's shape some
+/// hundred looks at no more than 400 places.
+std::vector<CoordinateFit> fits_up_to(Method last, const DenseData& dense);
 CoordinateFit fit_by(Method method, const DenseData& dense);
 
 /// Both coordinates of a plane curve fitted.
@@ -76,19 +78,16 @@ struct ContourFit {
   double rmse = 0.0;  ///< root of the mean squared distance at all places
 };
 
-/// Fits x and y over the same t. Pre: as many points as places, the knots as in DenseData.
-ContourFit fit_contour(Method method, std::span<const Vec2> points, std::span<const double> t,
-                       std::span<const std::size_t> knots, Ends ends);
-
 /// A contour fitted by every method over the chord length of its points.
 struct Comparison {
   std::vector<double> t;           ///< of each point
   std::vector<std::size_t> knots;  ///< indices of points
+  std::size_t step = 1;            ///< every so-manieth point is fitted, where there are hundreds for each interval
   std::array<ContourFit, method_count> fits;
 };
 
-/// Knots at `intervals` equal steps; values and RMSE in units of the larger side. Pre: intervals < points; no point
-/// repeats its predecessor; periodic: the last point is the first.
+/// Knots at `intervals` equal steps; values and RMSE, which is of the points fitted, in units of the larger side. Pre:
+/// intervals < points; no point repeats its predecessor; periodic: the last point is the first.
 Comparison compare_methods(std::span<const Vec2> points, int intervals, Ends ends);
 
 /// How many numbers a fitted plane curve of n intervals stores: knots and their parameters, then what is fitted.
