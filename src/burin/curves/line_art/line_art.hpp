@@ -7,6 +7,7 @@
 
 #include <burin/curves/family.hpp>
 #include <burin/curves/line_art/composition.hpp>
+#include <burin/curves/line_art/shared_fields.hpp>
 
 namespace burin::curves {
 
@@ -36,7 +37,6 @@ constexpr auto words(Offset) {
   return std::array<params::Word<Offset>, 2>{{{"relative", Offset::relative}, {"absolute", Offset::absolute}}};
 }
 
-inline constexpr int most_lines = 1'000'000;
 inline constexpr double most_points_a_line = 1 << 20;
 
 }  // namespace line_art
@@ -61,32 +61,32 @@ struct LineArtParams {
   line_art::Composition compose;
 
   static constexpr auto fields() {
+    using P = LineArtParams;
     using params::field;
-    return std::tuple{
-        field("lines", &LineArtParams::lines, {1, line_art::most_lines}, "how many polylines; unset: 400"),
-        field("starts", &LineArtParams::starts, {1, line_art::most_lines},
-              "how many starting places, instead of `lines`"),
-        field("lines_per_start", &LineArtParams::lines_per_start, {1, line_art::most_lines},
-              "so many polylines begin at each place, as a bundle"),
-        field("start", &LineArtParams::start,
-              "where they begin: [x, y], [x0, y0, x1, y1], or a region such as { disc = [0, 0, 1] }"),
-        field("places", &LineArtParams::places, "how the starting places follow each other in their region"),
-        field("segments", &LineArtParams::segments, "how many segments a polyline has: one number or [low, high]"),
-        field("length", &LineArtParams::length, "length of a segment: one number or [low, high]"),
-        field("turn", &LineArtParams::turn, {0.0, 3600.0}, "greatest turn from one segment to the next, in degrees"),
-        field("heading", &LineArtParams::heading,
-              "first direction in degrees; unset: any, the same for a bundle when `spread` is given"),
-        field("spread", &LineArtParams::spread, {0.0, 360.0}, "how far the first direction may lie off, in degrees"),
-        field(
-            "flow", &LineArtParams::flow,
-            "direction at each point in degrees, by x, y, r, phi, t, index, rand; polylines end where it is no number"),
-        field("follow", &LineArtParams::follow, {0.0, 1.0},
-              "how much of the way to the flow each turn makes good; 0: only the first direction is the flow's"),
-        field("grow", &LineArtParams::grow, "forward from the start, or both ways with the start in the middle"),
-        field("stretch", &LineArtParams::stretch,
-              "factor on the length of a segment, by x, y, r, phi, t, index, rand; polylines end where it is not above "
-              "0"),
-        field("compose", &LineArtParams::compose, "which polylines become strokes: density, spacing, tone and more")};
+    return std::tuple_cat(
+        std::tuple{
+            field("lines", &P::lines, {1, line_art::most_lines}, "how many polylines; unset: 400"),
+            field("starts", &P::starts, {1, line_art::most_lines}, "how many starting places, instead of `lines`"),
+            field("lines_per_start", &P::lines_per_start, {1, line_art::most_lines},
+                  "so many polylines begin at each place, as a bundle"),
+            field("start", &P::start,
+                  "where they begin: [x, y], [x0, y0, x1, y1], or a region such as { disc = [0, 0, 1] }")},
+        line_art::polyline_fields<P>(),
+        std::tuple{
+            field("turn", &P::turn, {0.0, 3600.0}, "greatest turn from one segment to the next, in degrees"),
+            field("heading", &P::heading,
+                  "first direction in degrees; unset: any, the same for a bundle when `spread` is given"),
+            field("spread", &P::spread, {0.0, 360.0}, "how far the first direction may lie off, in degrees"),
+            field("flow", &P::flow,
+                  "direction at each point in degrees, by x, y, r, phi, t, index, rand; polylines end where it is no "
+                  "number"),
+            field("follow", &P::follow, {0.0, 1.0},
+                  "how much of the way to the flow each turn makes good; 0: only the first direction is the flow's"),
+            field("grow", &P::grow, "forward from the start, or both ways with the start in the middle"),
+            field("stretch", &P::stretch,
+                  "factor on the length of a segment, by x, y, r, phi, t, index, rand; polylines end where it is not "
+                  "above 0"),
+            field("compose", &P::compose, "which polylines become strokes: density, spacing, tone and more")});
   }
 
   int line_count() const { return starts ? *starts * lines_per_start : lines.value_or(400); }
@@ -113,26 +113,14 @@ struct LineArtBoundaryParams {
   static constexpr auto fields() {
     using P = LineArtBoundaryParams;
     using params::field;
-    return std::tuple{
-        field("lines", &P::lines, {1, line_art::most_lines}, "how many polylines"),
-        field("lines_per_start", &P::lines_per_start, {1, line_art::most_lines},
-              "so many polylines have both ends in common, as a bundle"),
-        field("from", &P::from,
-              "where they begin: [x, y], [x0, y0, x1, y1], or a region such as { ring = [0, 0, 1, 2] }"),
-        field("to", &P::to, "where they end: a region or a list of them"),
-        field("weights", &P::weights, "how often each region of `to` is meant; unset: all alike"),
-        field("pairing", &P::pairing,
-              "the place at the end: random; the same as at the start, counted in order or crossed; or the nearest of "
-              "16"),
-        field("places", &P::places, "how the places follow each other in their regions"),
-        field("markers", &P::markers, "where an edge is refined, ascending, in (0, 1)"),
-        field("levels", &P::levels, {0, 12}, "how often the edges are refined"),
-        field("offset", &P::offset, {0.0, 1e6}, "greatest offset of a marker to either side of its edge"),
-        field("decay", &P::decay, {0.0, 10.0, true, false}, "factor on the offset from each level to the next"),
-        field("unit", &P::unit, "offset in lengths of the edge (relative) or in model units (absolute)"),
-        field("wander", &P::wander,
-              "factor on the offset, by x, y, r, phi of the marker, t along the polyline, index, rand"),
-        field("compose", &P::compose, "which polylines become strokes: density, spacing, tone and more")};
+    return std::tuple_cat(
+        line_art::count_fields<P>("so many polylines have both ends in common, as a bundle"),
+        std::tuple{field("from", &P::from,
+                         "where they begin: [x, y], [x0, y0, x1, y1], or a region such as { ring = [0, 0, 1, 2] }")},
+        line_art::chord_fields<P>("greatest offset of a marker to either side of its edge"),
+        std::tuple{field("wander", &P::wander,
+                         "factor on the offset, by x, y, r, phi of the marker, t along the polyline, index, rand"),
+                   field("compose", &P::compose, "which polylines become strokes: density, spacing, tone and more")});
   }
 };
 

@@ -27,20 +27,18 @@ struct LineArt3dParams {
   static constexpr auto fields() {
     using P = LineArt3dParams;
     using params::field;
-    return std::tuple{
-        field("lines", &P::lines, {1, line_art::most_lines}, "how many polylines"),
-        field("lines_per_start", &P::lines_per_start, {1, line_art::most_lines},
-              "so many polylines begin at each place, as a bundle"),
-        field("start", &P::start, "where they begin: [x, y, z], or a region such as { ball = [0, 0, 0, 1] }"),
-        field("places", &P::places, "how the starting places follow each other in their region"),
-        field("segments", &P::segments, "how many segments a polyline has: one number or [low, high]"),
-        field("length", &P::length, "length of a segment: one number or [low, high]"),
-        field("turn", &P::turn, {0.0, 180.0}, "greatest turn from one segment to the next, in degrees"),
-        field("heading", &P::heading, "first direction [x, y, z]; unset: any"),
-        field("spread", &P::spread, {0.0, 180.0}, "how far the first direction may lie off `heading`, in degrees"),
-        field("camera", &P::camera, "how it is seen"),
-        field("compose", &P::compose,
-              "which polylines become strokes: density, spacing, tone and more, in the picture")};
+    return std::tuple_cat(
+        line_art::count_fields<P>("so many polylines begin at each place, as a bundle"),
+        std::tuple{
+            field("start", &P::start, "where they begin: [x, y, z], or a region such as { ball = [0, 0, 0, 1] }")},
+        line_art::polyline_fields<P>(),
+        std::tuple{
+            field("turn", &P::turn, {0.0, 180.0}, "greatest turn from one segment to the next, in degrees"),
+            field("heading", &P::heading, "first direction [x, y, z]; unset: any"),
+            field("spread", &P::spread, {0.0, 180.0}, "how far the first direction may lie off `heading`, in degrees"),
+            field("camera", &P::camera, "how it is seen"),
+            field("compose", &P::compose,
+                  "which polylines become strokes: density, spacing, tone and more, in the picture")});
   }
 };
 
@@ -64,25 +62,14 @@ struct LineArtBoundary3dParams {
   static constexpr auto fields() {
     using P = LineArtBoundary3dParams;
     using params::field;
-    return std::tuple{
-        field("lines", &P::lines, {1, line_art::most_lines}, "how many polylines"),
-        field("lines_per_start", &P::lines_per_start, {1, line_art::most_lines},
-              "so many polylines have both ends in common, as a bundle"),
-        field("from", &P::from, "where they begin: [x, y, z], or a region such as { along = { knot = [2, 3] } }"),
-        field("to", &P::to, "where they end: a region or a list of them"),
-        field("weights", &P::weights, "how often each region of `to` is meant; unset: all alike"),
-        field("pairing", &P::pairing,
-              "the place at the end: random; the same as at the start, counted in order or crossed; or the nearest of "
-              "16"),
-        field("places", &P::places, "how the places follow each other in their regions"),
-        field("markers", &P::markers, "where an edge is refined, ascending, in (0, 1)"),
-        field("levels", &P::levels, {0, 12}, "how often the edges are refined"),
-        field("offset", &P::offset, {0.0, 1e6}, "greatest offset of a marker from its edge, in any direction across"),
-        field("decay", &P::decay, {0.0, 10.0, true, false}, "factor on the offset from each level to the next"),
-        field("unit", &P::unit, "offset in lengths of the edge (relative) or in model units (absolute)"),
-        field("camera", &P::camera, "how it is seen"),
-        field("compose", &P::compose,
-              "which polylines become strokes: density, spacing, tone and more, in the picture")};
+    return std::tuple_cat(
+        line_art::count_fields<P>("so many polylines have both ends in common, as a bundle"),
+        std::tuple{
+            field("from", &P::from, "where they begin: [x, y, z], or a region such as { along = { knot = [2, 3] } }")},
+        line_art::chord_fields<P>("greatest offset of a marker from its edge, in any direction across"),
+        std::tuple{field("camera", &P::camera, "how it is seen"),
+                   field("compose", &P::compose,
+                         "which polylines become strokes: density, spacing, tone and more, in the picture")});
   }
 };
 

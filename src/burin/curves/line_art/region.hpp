@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <burin/curves/base_shape.hpp>
+#include <burin/curves/line_art/region_keys.hpp>
 #include <burin/geom/box2.hpp>
 
 namespace burin::curves::line_art {
@@ -107,10 +108,7 @@ std::optional<AreaRegion> area_of(const BaseShape& base, const Where& where, par
 /// The keys of a region written as a table, for help and docs.
 std::vector<params::FieldInfo> region_fields();
 
-/// One region or several.
-struct Regions {
-  std::vector<Region> all;
-};
+using Regions = OneOrSeveral<Region>;
 
 }  // namespace burin::curves::line_art
 
@@ -121,12 +119,4 @@ struct burin::params::ValueType<burin::curves::line_art::Region> {
   static std::string name() { return "region"; }
   static bool read(const Value& value, burin::curves::line_art::Region& region, ReadContext& context);
   static std::string text(const burin::curves::line_art::Region& region);
-};
-
-/// A region, or a list of tables and names of them.
-template <>
-struct burin::params::ValueType<burin::curves::line_art::Regions> {
-  static std::string name() { return "region or list of them"; }
-  static bool read(const Value& value, burin::curves::line_art::Regions& regions, ReadContext& context);
-  static std::string text(const burin::curves::line_art::Regions& regions);
 };

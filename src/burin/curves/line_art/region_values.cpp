@@ -70,20 +70,6 @@ std::optional<AreaRegion> area_of(const BaseShape& base, const Where& where, par
 
 namespace {
 
-std::optional<TrackRegion> track_of(const BaseShape& base, const Where& where, params::ReadContext& context) {
-  TrackRegion track{base.polylines, {}};
-  double total = 0.0;
-  for (const Polyline& polyline : track.polylines) {
-    for (std::size_t e = 0; e < polyline.edge_count(); ++e) {
-      total += distance(polyline.edge_begin(e), polyline.edge_end(e));
-      track.lengths.push_back(total);
-    }
-  }
-  if (total > 0.0) return track;
-  context.report(where, "the line has no length; give it as 'point'");
-  return std::nullopt;
-}
-
 bool read_ring(const std::array<double, 4>& ring, const Where& where, Region& region, params::ReadContext& context) {
   const auto [x, y, inner, outer] = ring;
   if (!(inner >= 0.0 && inner < outer)) {
@@ -98,12 +84,7 @@ bool read_ring(const std::array<double, 4>& ring, const Where& where, Region& re
 bool read_spec(const params::Table& table, const Where& where, Region& region, params::ReadContext& context) {
   RegionSpec spec;
   if (!params::read_fields(table, spec, "region", context)) return false;
-  if (table.entries.size() != 1) {
-    context.report(where,
-                   "a region needs exactly one of 'point', 'segment', 'rectangle', 'disc', 'ring', 'polygon', 'along' "
-                   "and 'points'");
-    return false;
-  }
+  if (!check_one_key(table, "a region", region_fields(), where, context)) return false;
   const Where& at = table.entries.front().value.where;
   if (spec.point) {
     region.shape = SpotRegion{*spec.point};
@@ -123,9 +104,9 @@ bool read_spec(const params::Table& table, const Where& where, Region& region, p
     if (!area) return false;
     region.shape = *std::move(area);
   } else if (spec.along) {
-    std::optional<TrackRegion> track = track_of(*spec.along, at, context);
-    if (!track) return false;
-    region.shape = *std::move(track);
+    TrackRegion track{spec.along->polylines, lengths_along(spec.along->polylines, at, context)};
+    if (track.lengths.empty()) return false;
+    region.shape = std::move(track);
   } else {
     PointsRegion set;
     for (const Polyline& polyline : spec.points->polylines) {
@@ -179,7 +160,6 @@ std::vector<params::FieldInfo> region_fields() {
 namespace burin::params {
 
 using curves::line_art::Region;
-using curves::line_art::Regions;
 
 bool ValueType<Region>::read(const Value& value, Region& region, ReadContext& context) {
   if (const Table* table = value.table()) {
@@ -202,22 +182,6 @@ bool ValueType<Region>::read(const Value& value, Region& region, ReadContext& co
 std::string ValueType<Region>::text(const Region& region) {
   const auto* spot = std::get_if<curves::line_art::SpotRegion>(&region.shape);
   return spot == nullptr ? std::string() : ValueType<Vec2>::text(spot->at);
-}
-
-bool ValueType<Regions>::read(const Value& value, Regions& regions, ReadContext& context) {
-  const Array* array = value.array();
-  const bool is_list = array != nullptr && !array->empty() &&
-                       (array->front().table() != nullptr || array->front().array() != nullptr ||
-                        (array->front().text() != nullptr && context.defined(*array->front().text()) != nullptr));
-  if (is_list) return ValueType<std::vector<Region>>::read(value, regions.all, context);
-  Region one;
-  if (!ValueType<Region>::read(value, one, context)) return false;
-  regions.all = {std::move(one)};
-  return true;
-}
-
-std::string ValueType<Regions>::text(const Regions& regions) {
-  return regions.all.size() == 1 ? ValueType<Region>::text(regions.all.front()) : std::string();
 }
 
 }  // namespace burin::params

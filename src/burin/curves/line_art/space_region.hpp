@@ -68,10 +68,7 @@ Vec3 place_in(const SpaceRegion& region, const PlaceKey& key);
 /// The keys of a region in space written as a table, for help and docs.
 std::vector<params::FieldInfo> space_region_fields();
 
-/// One region or several.
-struct SpaceRegions {
-  std::vector<SpaceRegion> all;
-};
+using SpaceRegions = OneOrSeveral<SpaceRegion>;
 
 }  // namespace burin::curves::line_art
 
@@ -82,12 +79,4 @@ struct burin::params::ValueType<burin::curves::line_art::SpaceRegion> {
   static std::string name() { return "region in space"; }
   static bool read(const Value& value, burin::curves::line_art::SpaceRegion& region, ReadContext& context);
   static std::string text(const burin::curves::line_art::SpaceRegion& region);
-};
-
-/// A region, or a list of tables and names of them.
-template <>
-struct burin::params::ValueType<burin::curves::line_art::SpaceRegions> {
-  static std::string name() { return "region in space or list of them"; }
-  static bool read(const Value& value, burin::curves::line_art::SpaceRegions& regions, ReadContext& context);
-  static std::string text(const burin::curves::line_art::SpaceRegions& regions);
 };

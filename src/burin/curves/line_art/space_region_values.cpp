@@ -80,20 +80,6 @@ std::optional<PlanarRegion> planar_of(const SpaceBase& base, const Where& where,
   return planar;
 }
 
-std::optional<SpaceTrackRegion> track_of(const SpaceBase& base, const Where& where, params::ReadContext& context) {
-  SpaceTrackRegion track{base.lifted(), {}};
-  double total = 0.0;
-  for (const SpacePolyline& polyline : track.polylines) {
-    for (std::size_t e = 0; e < polyline.edge_count(); ++e) {
-      total += distance(polyline.edge_begin(e), polyline.edge_end(e));
-      track.lengths.push_back(total);
-    }
-  }
-  if (total > 0.0) return track;
-  context.report(where, "the line has no length; give it as 'point'");
-  return std::nullopt;
-}
-
 bool read_ball(const Numbers<4>& numbers, bool is_hollow, const Where& where, SpaceRegion& region,
                params::ReadContext& context) {
   const auto [x, y, z, radius] = numbers.values;
@@ -108,12 +94,7 @@ bool read_ball(const Numbers<4>& numbers, bool is_hollow, const Where& where, Sp
 bool read_spec(const params::Table& table, const Where& where, SpaceRegion& region, params::ReadContext& context) {
   SpaceRegionSpec spec;
   if (!params::read_fields(table, spec, "region in space", context)) return false;
-  if (table.entries.size() != 1) {
-    context.report(where,
-                   "a region in space needs exactly one of 'point', 'segment', 'box', 'ball', 'sphere', 'polygon' and "
-                   "'along'");
-    return false;
-  }
+  if (!check_one_key(table, "a region in space", space_region_fields(), where, context)) return false;
   const Where& at = table.entries.front().value.where;
   if (spec.ball) return read_ball(*spec.ball, false, at, region, context);
   if (spec.sphere) return read_ball(*spec.sphere, true, at, region, context);
@@ -130,9 +111,10 @@ bool read_spec(const params::Table& table, const Where& where, SpaceRegion& regi
     if (!planar) return false;
     region.shape = *std::move(planar);
   } else {
-    std::optional<SpaceTrackRegion> track = track_of(*spec.along, at, context);
-    if (!track) return false;
-    region.shape = *std::move(track);
+    SpaceTrackRegion track{spec.along->lifted(), {}};
+    track.lengths = lengths_along(track.polylines, at, context);
+    if (track.lengths.empty()) return false;
+    region.shape = std::move(track);
   }
   return true;
 }
@@ -161,7 +143,6 @@ std::vector<params::FieldInfo> space_region_fields() {
 namespace burin::params {
 
 using curves::line_art::SpaceRegion;
-using curves::line_art::SpaceRegions;
 
 bool ValueType<SpaceRegion>::read(const Value& value, SpaceRegion& region, ReadContext& context) {
   const Value* written = &value;
@@ -183,22 +164,6 @@ bool ValueType<SpaceRegion>::read(const Value& value, SpaceRegion& region, ReadC
 std::string ValueType<SpaceRegion>::text(const SpaceRegion& region) {
   const auto* spot = std::get_if<curves::line_art::SpaceSpotRegion>(&region.shape);
   return spot == nullptr ? std::string() : ValueType<Vec3>::text(spot->at);
-}
-
-bool ValueType<SpaceRegions>::read(const Value& value, SpaceRegions& regions, ReadContext& context) {
-  const Array* array = value.array();
-  const bool is_list = array != nullptr && !array->empty() &&
-                       (array->front().table() != nullptr || array->front().array() != nullptr ||
-                        (array->front().text() != nullptr && context.defined(*array->front().text()) != nullptr));
-  if (is_list) return ValueType<std::vector<SpaceRegion>>::read(value, regions.all, context);
-  SpaceRegion one;
-  if (!ValueType<SpaceRegion>::read(value, one, context)) return false;
-  regions.all = {std::move(one)};
-  return true;
-}
-
-std::string ValueType<SpaceRegions>::text(const SpaceRegions& regions) {
-  return regions.all.size() == 1 ? ValueType<SpaceRegion>::text(regions.all.front()) : std::string();
 }
 
 }  // namespace burin::params
