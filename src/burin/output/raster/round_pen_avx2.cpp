@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <burin/output/raster/avx2.hpp>
@@ -49,6 +50,35 @@ constexpr int pixel_of(int units) {
 }
 static_assert(units_per_pixel == 1 << 10);
 
+/// What a segment may reach of some rows of pixels: the columns [begin, end).
+struct RowSpans {
+  static constexpr std::size_t count = 8;
+  alignas(32) std::array<int, count> begin;
+  alignas(32) std::array<int, count> end;
+};
+
+/// Of the rows from `top` on. All at once, for a branch that waits for one row's numbers is expensive.
+BURIN_AVX2 inline RowSpans spans_from(int top, const RoundStep& step, Point to, int left, int right) {
+  const __m256 rows = _mm256_setr_ps(0, 1024, 2048, 3072, 4096, 5120, 6144, 7168);
+  const __m256 x_per_y = _mm256_set1_ps(step.x_per_y);
+  const __m256 half_level = _mm256_set1_ps(step.half_level);
+  const __m256 y = _mm256_add_ps(_mm256_set1_ps(static_cast<float>(top * units_per_pixel - to.y)), rows);
+  const __m256 at_top = _mm256_mul_ps(y, x_per_y);
+  const __m256 at_bottom = _mm256_mul_ps(_mm256_add_ps(y, _mm256_set1_ps(units_per_pixel)), x_per_y);
+  const __m256 low = _mm256_sub_ps(_mm256_min_ps(at_top, at_bottom), half_level);
+  const __m256 high = _mm256_add_ps(_mm256_max_ps(at_top, at_bottom), half_level);
+  const auto columns = [&](__m256 x) BURIN_AVX2 {
+    const __m256 near = _mm256_min_ps(_mm256_max_ps(x, _mm256_set1_ps(-1e9F)), _mm256_set1_ps(1e9F));
+    return _mm256_srai_epi32(_mm256_add_epi32(_mm256_cvttps_epi32(near), _mm256_set1_epi32(to.x)), 10);
+  };
+  RowSpans spans;
+  _mm256_store_si256(reinterpret_cast<__m256i*>(spans.begin.data()),
+                     _mm256_max_epi32(columns(low), _mm256_set1_epi32(left)));
+  _mm256_store_si256(reinterpret_cast<__m256i*>(spans.end.data()),
+                     _mm256_min_epi32(_mm256_add_epi32(columns(high), _mm256_set1_epi32(1)), _mm256_set1_epi32(right)));
+  return spans;
+}
+
 __attribute__((noinline)) Samples exact_samples(const RoundSegment& segment, double half_width, int i, int j) {
   return samples_in(body_of(segment, half_width), i, j) | samples_in(disc_of(segment, half_width), i, j);
 }
@@ -74,21 +104,14 @@ BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, con
   const int bottom = std::min(clip.bottom, pixel_of(to.y + step.bottom) + 1);
   const int left = std::max(clip.left, pixel_of(to.x + step.left));
   const int right = std::min(clip.right, pixel_of(to.x + step.right) + 1);
-  const bool is_wide = right - left > 3;
+  RowSpans spans;
   for (int j = top; j < bottom; ++j) {
+    const auto row = static_cast<std::size_t>(j - top) % RowSpans::count;
+    if (row == 0) spans = spans_from(j, step, to, left, right);
     if (!tiles.share().has(j)) continue;
     const int y = to.y - j * units_per_pixel - sample_y(0, 0);
-    int i = left;
-    int row_end = right;
-    if (is_wide) {
-      const auto at_top = static_cast<float>(j * units_per_pixel - to.y) * step.x_per_y;
-      const float at_bottom = at_top + units_per_pixel * step.x_per_y;
-      i = std::max(i,
-                   pixel_of(to.x + static_cast<int>(std::max(std::min(at_top, at_bottom) - step.half_level, -1e9F))));
-      row_end = std::min(
-          row_end,
-          pixel_of(to.x + static_cast<int>(std::min(std::max(at_top, at_bottom) + step.half_level, 1e9F))) + 1);
-    }
+    int i = spans.begin[row];
+    const int row_end = spans.end[row];
     while (i < row_end) {
       const int end = std::min(row_end, MaskTiles::end_of_tile(i));
       for (Samples* samples = tiles.at(i, j, 0); i < end; ++i, ++samples) {
