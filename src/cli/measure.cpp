@@ -348,7 +348,7 @@ Command measure_command() {
       "SVG file is measured in its pixels, y up.\n\n"
       "The box dimension is the slope of a line fitted to the logarithms of how many boxes of a grid the drawing "
       "meets: boxes from 1/8 of its longer side down to 1/256, but not smaller than two edges, each count the mean "
-      "of nine positions of the grid. The graph of a function, of 2048 edges or more, is counted in columns of boxes "
+      "of nine positions of the grid. The graph of a function, of 1024 edges or more, is counted in columns of boxes "
       "by "
       "its oscillations, which is exact much sooner. The error is the slope's standard error; that of the method is "
       "about 0.02.\n\n"

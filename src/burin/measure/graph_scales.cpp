@@ -8,7 +8,7 @@ namespace burin::measure {
 
 namespace {
 
-constexpr std::size_t samples_per_column = 16;
+constexpr std::size_t samples_per_column = 8;
 constexpr int widths = 5;
 constexpr std::size_t fewest_columns = 8;
 
