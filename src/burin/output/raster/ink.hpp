@@ -11,7 +11,7 @@ class Ink {
  public:
   /// Pre: part begins at whole tiles.
   explicit Ink(const PixelBox& part, const Kernel& kernel = best_kernel(), RowShare share = {})
-      : kernel_(&kernel), tiles_(part, share) {}
+      : kernel_(&kernel), tiles_(part, memory_, share) {}
 
   void add(const Convex& shape) { kernel_->cover(shape, tiles_.part(), tiles_); }
   void add(RoundPen& pen, const RoundSegment& segment) { kernel_->cover_round(pen, segment, tiles_.part(), tiles_); }
@@ -19,9 +19,11 @@ class Ink {
 
   const Kernel& kernel() const { return *kernel_; }
   MaskTiles& tiles() { return tiles_; }
+  TileMemory& memory() { return memory_; }
 
  private:
   const Kernel* kernel_;
+  TileMemory memory_;
   MaskTiles tiles_;
 };
 

@@ -2,11 +2,12 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
+#include <new>
 #include <vector>
 
 #include <burin/output/raster/row_share.hpp>
 #include <burin/output/raster/sample_grid.hpp>
+#include <burin/output/raster/tile_memory.hpp>
 
 namespace burin::output::raster {
 
@@ -19,9 +20,10 @@ class Tiles {
   static constexpr int height = 8;
   using Tile = std::array<Value, static_cast<std::size_t>(width) * height>;
 
-  /// Pre: part.left and part.top are multiples of a tile's width and height.
-  explicit Tiles(const PixelBox& part, RowShare share = {})
+  /// `memory` must outlive the tiles. Pre: part.left and part.top are multiples of a tile's width and height.
+  Tiles(const PixelBox& part, TileMemory& memory, RowShare share = {})
       : part_(part),
+        memory_(memory),
         share_(share),
         columns_((part.width() + width - 1) / width),
         rows_((part.height() + height - 1) / height),
@@ -58,39 +60,40 @@ class Tiles {
   void release(int column, int row) {
     Tile*& tile = tiles_[index(column, row)];
     if (tile == nullptr) return;
-    spare_.push_back(tile);
+    if constexpr (tiles_per_block == 1) {
+      memory_.give_back(reinterpret_cast<TileMemory::Block*>(tile));
+    } else {
+      spare_.push_back(tile);
+    }
     tile = nullptr;
   }
 
  private:
-  static constexpr std::size_t tiles_per_chunk = 256;
+  static constexpr std::size_t tiles_per_block = sizeof(TileMemory::Block) / sizeof(Tile);
+  static_assert(tiles_per_block * sizeof(Tile) == sizeof(TileMemory::Block));
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
 
   Tile* fresh() {
-    if (!spare_.empty()) {
-      Tile* const tile = spare_.back();
-      spare_.pop_back();
-      return tile;
-    }
-    if (used_of_chunk_ == tiles_per_chunk) {
+    if (spare_.empty()) {
+      std::byte* const bytes = memory_.take()->bytes.data();
       // Not cleared here: each tile is filled when it is touched.
-      chunks_.emplace_back(new Tile[tiles_per_chunk]);
-      used_of_chunk_ = 0;
+      for (std::size_t k = tiles_per_block; k-- > 0;) spare_.push_back(new (bytes + k * sizeof(Tile)) Tile);
     }
-    return &chunks_.back()[used_of_chunk_++];
+    Tile* const tile = spare_.back();
+    spare_.pop_back();
+    return tile;
   }
 
   PixelBox part_;
+  TileMemory& memory_;
   RowShare share_;
   int columns_;
   int rows_;
   std::vector<Tile*> tiles_;
   std::vector<Tile*> spare_;
-  std::vector<std::unique_ptr<Tile[]>> chunks_;
-  std::size_t used_of_chunk_ = tiles_per_chunk;
 };
 
 /// The ink of one layer.

@@ -19,7 +19,7 @@ Painter::Painter(const Sheet& sheet, double dots_per_mm, const PixelBox& part, c
       dots_per_mm_(dots_per_mm),
       page_(page_in_pixels(sheet.page, dots_per_mm).grown(1.0)),  // the last pixel may lie half outside
       ink_(part, kernel, share),
-      picture_(part, sheet.page.paper),
+      picture_(part, sheet.page.paper, ink_.memory()),
       stroker_(ink_, page_),
       dashes_(stroker_) {}
 

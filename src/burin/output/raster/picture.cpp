@@ -45,12 +45,12 @@ void Picture::lay_over(MaskTiles& layer, const Kernel& kernel, Colour ink, doubl
       const MaskTiles::Tile* const masks = layer.tile(column, row);
       if (masks == nullptr) continue;
       kernel.count(*masks, counts.data());
+      layer.release(column, row);
       Tiles<Rgb>::Tile& pixels = tiles_.touched(column, row, paper_);
       for (std::size_t k = 0; k < counts.size(); ++k) {
         if (counts[k] == 0) continue;
         pixels[k] = pixels[k] == paper_ ? on_paper[counts[k]] : mixed(pixels[k], rgb_of(ink), counts[k] * share);
       }
-      layer.release(column, row);
     }
   }
 }

@@ -27,7 +27,8 @@ std::array<Rgb, 65> shades(Rgb under, Colour ink, double opacity);
 /// are stored, in sRGB, as Cairo, browsers and PDF viewers do: a line looks as wide here as there.
 class Picture {
  public:
-  Picture(const PixelBox& part, Colour paper) : tiles_(part), paper_(rgb_of(paper)) {}
+  /// `memory`, which must outlive the picture, is best that of the layers.
+  Picture(const PixelBox& part, Colour paper, TileMemory& memory) : tiles_(part, memory), paper_(rgb_of(paper)) {}
 
   /// Lays a layer over the picture, each pixel by its share of samples times `opacity`, and empties it. The mix is in
   /// whole numbers, rounded once.

@@ -208,11 +208,11 @@ Result<Done> accepts(const Sheet& sheet, const OutputOptions& options) {
                  Trouble::limit};
 }
 
-/// With ink everywhere.
+/// With ink everywhere. Layers beyond the first need samples while there are colours of those below.
 double memory_bytes(double, const Sheet& sheet, const OutputOptions& options) {
   const auto [width, height] = png_size(sheet.page, options.dots_per_mm);
   const RasterPlan plan;
-  constexpr double for_ink = 12.0;
+  const double for_ink = sheet.layers.size() > 1 ? 12.0 : 8.0;
   constexpr double for_the_file = 6.0;
   if (width * height > plan.most_pixels_at_once) return 8e6 + for_ink * plan.pixels_per_band;
   return 8e6 + (for_ink + for_the_file) * width * height;

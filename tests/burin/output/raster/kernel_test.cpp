@@ -49,7 +49,8 @@ Convex random_shape(Dice& dice) {
 }
 
 int wrong_samples(const Kernel& kernel, const Convex& shape) {
-  MaskTiles tiles(part);
+  TileMemory memory;
+  MaskTiles tiles(part, memory);
   kernel.cover(shape, part, tiles);
   int wrong = 0;
   for (int j = part.top; j < part.bottom; ++j) {
@@ -74,7 +75,8 @@ TEST(Kernels, HaveTheBitsOfTheDefinition) {
 /// The pixels that a round segment gets wrong, on a part of the page that begins at (0, 0).
 int wrong_pixels(const Kernel& kernel, RoundPen& pen, const RoundSegment& segment) {
   constexpr PixelBox small{0, 0, 32, 24};
-  MaskTiles tiles(small);
+  TileMemory memory;
+  MaskTiles tiles(small, memory);
   kernel.cover_round(pen, segment, small, tiles);
   int wrong = 0;
   for (int j = 0; j < small.bottom; ++j) {
