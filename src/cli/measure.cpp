@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,15 +12,11 @@
 #include <burin/measure/box_dimension.hpp>
 #include <burin/measure/curve_distance.hpp>
 #include <burin/measure/path_figures.hpp>
-#include <burin/preset/plan.hpp>
-#include <cli/atomic_file.hpp>
 #include <cli/command.hpp>
-#include <cli/formats.hpp>
-#include <cli/interrupt.hpp>
 #include <cli/json_text.hpp>
 #include <cli/measure_plot.hpp>
 #include <cli/measured_drawing.hpp>
-#include <cli/temporaries.hpp>
+#include <cli/page_file.hpp>
 
 namespace burin::cli {
 
@@ -292,27 +287,11 @@ Result<Measured> measured_by(const DrawRequest& request, const Arguments& argume
   return measured;
 }
 
-Result<Done> write_plot(const Measured& measured, const std::string& path) {
-  if (!measured.boxes) return measured.boxes.problems();
-  const Result<std::string> format = path == "-" ? Result<std::string>("svg") : format_of_suffix(path);
-  if (!format) return format.problems();
-  const Result<const BackEnd*> back_end = choose_back_end(*format, std::nullopt);
-  if (!back_end) return back_end.problems();
-  if ((*back_end)->space != Space::page) {
-    return Problem{{"burin measure"}, fmt::format("--plot: {} is no picture; draw it as svg, pdf or png", *format)};
-  }
-  Temporaries temporaries;
-  const Interrupt interrupt([&temporaries] { temporaries.remove_all(); });
-  const Result<std::unique_ptr<AtomicFile>> file = AtomicFile::open(path, temporaries, interrupt.stop());
-  if (!file) return file.problems();
+ExitCode write_plot(const Measured& measured, const std::string& path, const Console& console) {
+  if (!measured.boxes) return console.fail(measured.boxes.problems());
   const std::string title = "Boxes met by " + measured.source.name;
-  const Sheet sheet = box_plot_sheet(title);
-  const std::unique_ptr<OutputSink> sink = (*back_end)->open(**file, sheet, {});
-  // A sink that cannot write ends the drawing too; finish() or commit() tells why.
-  static_cast<void>(preset::run_for(
-      *sink, [&](const preset::RunOptions&) { return draw_box_plot(*measured.boxes, title, *sink); }, {}));
-  if (const Result<Done> finished = sink->finish(); !finished && !(*file)->failed()) return finished.problems();
-  return (*file)->commit();
+  const auto draw = [&](PathSink& sink) { return draw_box_plot(*measured.boxes, title, sink); };
+  return write_page({box_plot_sheet(title), draw}, path, "burin measure", console);
 }
 
 ExitCode run(const Arguments& arguments, const Console& console) {
@@ -328,8 +307,7 @@ ExitCode run(const Arguments& arguments, const Console& console) {
   const Result<Measured> measured = measured_by(*request, arguments);
   if (!measured) return console.fail(measured.problems());
   if (const std::optional<std::string> path = arguments.value("plot")) {
-    const Result<Done> written = write_plot(*measured, *path);
-    if (!written) return console.fail(written.problems());
+    if (const ExitCode code = write_plot(*measured, *path, console); code != ExitCode::done) return code;
   }
   return console.print(arguments.has("json") ? as_json(*measured) : as_text(*measured));
 }

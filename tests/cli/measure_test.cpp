@@ -171,7 +171,7 @@ TEST(Measure, MistakesTeach) {
   };
   EXPECT_NE(complaint({"koch", "--closed"}, 2).find("files of points"), std::string::npos);
   EXPECT_NE(complaint({"koch", "--seed", "0..3"}, 2).find("one seed"), std::string::npos);
-  EXPECT_NE(complaint({"koch", "--plot", "a.csv"}, 3).find("svg, pdf or png"), std::string::npos);
+  EXPECT_NE(complaint({"koch", "--plot", "a.csv"}, 2).find("svg, pdf or png"), std::string::npos);
   EXPECT_NE(complaint({"dot.csv", "--against", "dot.csv"}, 3).find("has no length"), std::string::npos);
   EXPECT_NE(complaint({"no.csv"}, 3).find("no.csv"), std::string::npos);
   EXPECT_NE(complaint({}, 2).find("burin measure"), std::string::npos);
