@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <burin/params/number_list.hpp>
 #include <burin/params/read_value.hpp>
 #include <burin/preset/piece.hpp>
 
@@ -85,29 +85,6 @@ struct ValueType<preset::PenChoice> {
   static std::string name() { return "pen, list or bands"; }
   static bool read(const Value& value, preset::PenChoice& choice, ReadContext& context);
   static std::string text(const preset::PenChoice& choice);
-};
-
-/// So many numbers in a list.
-template <std::size_t N>
-struct ValueType<std::array<double, N>> {
-  static std::string name() { return std::to_string(N) + " numbers"; }
-  static bool read(const Value& value, std::array<double, N>& numbers, ReadContext& context) {
-    const Array* array = value.array();
-    if (array == nullptr) return report_kind(value, "a list of " + name(), context);
-    if (array->size() != N) {
-      context.report(value.where,
-                     "expected a list of " + name() + ", found a list of " + std::to_string(array->size()));
-      return false;
-    }
-    bool all = true;
-    for (std::size_t i = 0; i < N; ++i) all = read_number((*array)[i], numbers[i], context) && all;
-    return all;
-  }
-  static std::string text(const std::array<double, N>& numbers) {
-    std::string all;
-    for (const double number : numbers) all += (all.empty() ? "" : ", ") + ValueType<double>::text(number);
-    return '[' + all + ']';
-  }
 };
 
 /// Any value, kept as it is.

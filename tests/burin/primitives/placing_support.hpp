@@ -29,9 +29,8 @@ inline std::shared_ptr<const Figure> arrow() {
   return figure({{0, 0}, {1, 0}, {0, 1}}, false);
 }
 
-/// Reads a spec from JSON; fails the test on problems.
-inline PlacingSpec spec(const std::string& json) {
-  Problems problems;
+/// Reads a spec from JSON, and what is wrong with it.
+inline PlacingSpec read_spec(const std::string& json, Problems& problems) {
   params::ReadContext context{
       .problems = problems,
       .evaluate = [](std::string_view text, const Where& where) { return expr::evaluate_constant(text, where); },
@@ -39,6 +38,13 @@ inline PlacingSpec spec(const std::string& json) {
       .read_file = {}};
   PlacingSpec read;
   params::ValueType<PlacingSpec>::read(testing::value_from_json(nlohmann::json::parse(json)), read, context);
+  return read;
+}
+
+/// Fails the test on problems.
+inline PlacingSpec spec(const std::string& json) {
+  Problems problems;
+  PlacingSpec read = read_spec(json, problems);
   EXPECT_TRUE(problems.empty()) << problems_text(problems);
   return read;
 }
@@ -46,13 +52,7 @@ inline PlacingSpec spec(const std::string& json) {
 /// What is wrong with such a spec.
 inline std::string complaint(const std::string& json) {
   Problems problems;
-  params::ReadContext context{
-      .problems = problems,
-      .evaluate = [](std::string_view text, const Where& where) { return expr::evaluate_constant(text, where); },
-      .defined = {},
-      .read_file = {}};
-  PlacingSpec read;
-  params::ValueType<PlacingSpec>::read(testing::value_from_json(nlohmann::json::parse(json)), read, context);
+  read_spec(json, problems);
   return problems.empty() ? "" : problems.front().message;
 }
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -6,8 +7,8 @@
 
 #include <burin/base/number_text.hpp>
 #include <burin/base/random.hpp>
-#include <burin/curves/line_art/numbers.hpp>
 #include <burin/curves/line_art/region.hpp>
+#include <burin/params/number_list.hpp>
 
 /// How regions are written in presets.
 namespace burin::curves::line_art {
@@ -17,10 +18,10 @@ namespace {
 /// The keys of a region written as a table.
 struct RegionSpec {
   std::optional<Vec2> point;
-  std::optional<Numbers<4>> segment;
-  std::optional<Numbers<4>> rectangle;
-  std::optional<Numbers<3>> disc;
-  std::optional<Numbers<4>> ring;
+  std::optional<std::array<double, 4>> segment;
+  std::optional<std::array<double, 4>> rectangle;
+  std::optional<std::array<double, 3>> disc;
+  std::optional<std::array<double, 4>> ring;
   std::optional<BaseShape> polygon;
   std::optional<BaseShape> along;
   std::optional<BaseShape> points;
@@ -89,16 +90,16 @@ bool read_spec(const params::Table& table, const Where& where, Region& region, p
   if (spec.point) {
     region.shape = SpotRegion{*spec.point};
   } else if (spec.segment) {
-    const auto [x0, y0, x1, y1] = spec.segment->values;
+    const auto [x0, y0, x1, y1] = *spec.segment;
     region.shape = SegmentRegion{{x0, y0}, {x1, y1}};
   } else if (spec.rectangle) {
-    const auto [x0, y0, x1, y1] = spec.rectangle->values;
+    const auto [x0, y0, x1, y1] = *spec.rectangle;
     region.shape = RectangleRegion{{x0, y0}, {x1, y1}};
   } else if (spec.disc) {
-    const auto [x, y, radius] = spec.disc->values;
+    const auto [x, y, radius] = *spec.disc;
     return read_ring({x, y, 0.0, radius}, at, region, context);
   } else if (spec.ring) {
-    return read_ring(spec.ring->values, at, region, context);
+    return read_ring(*spec.ring, at, region, context);
   } else if (spec.polygon) {
     std::optional<AreaRegion> area = area_of(*spec.polygon, at, context);
     if (!area) return false;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -7,8 +8,8 @@
 #include <fmt/format.h>
 
 #include <burin/base/number_text.hpp>
-#include <burin/curves/line_art/numbers.hpp>
 #include <burin/curves/line_art/space_region.hpp>
+#include <burin/params/number_list.hpp>
 
 /// How regions in space are written in presets.
 namespace burin::curves::line_art {
@@ -18,10 +19,10 @@ namespace {
 /// The keys of a region written as a table.
 struct SpaceRegionSpec {
   std::optional<Vec3> point;
-  std::optional<Numbers<6>> segment;
-  std::optional<Numbers<6>> box;
-  std::optional<Numbers<4>> ball;
-  std::optional<Numbers<4>> sphere;
+  std::optional<std::array<double, 6>> segment;
+  std::optional<std::array<double, 6>> box;
+  std::optional<std::array<double, 4>> ball;
+  std::optional<std::array<double, 4>> sphere;
   std::optional<SpaceBase> polygon;
   std::optional<SpaceBase> along;
 
@@ -80,9 +81,9 @@ std::optional<PlanarRegion> planar_of(const SpaceBase& base, const Where& where,
   return planar;
 }
 
-bool read_ball(const Numbers<4>& numbers, bool is_hollow, const Where& where, SpaceRegion& region,
+bool read_ball(const std::array<double, 4>& numbers, bool is_hollow, const Where& where, SpaceRegion& region,
                params::ReadContext& context) {
-  const auto [x, y, z, radius] = numbers.values;
+  const auto [x, y, z, radius] = numbers;
   if (!(radius > 0.0)) {
     context.report(where, fmt::format("a radius is above 0, found {}", shortest_text(radius)));
     return false;
@@ -101,10 +102,10 @@ bool read_spec(const params::Table& table, const Where& where, SpaceRegion& regi
   if (spec.point) {
     region.shape = SpaceSpotRegion{*spec.point};
   } else if (spec.segment) {
-    const auto [x0, y0, z0, x1, y1, z1] = spec.segment->values;
+    const auto [x0, y0, z0, x1, y1, z1] = *spec.segment;
     region.shape = SpaceSegmentRegion{{x0, y0, z0}, {x1, y1, z1}};
   } else if (spec.box) {
-    const auto [x0, y0, z0, x1, y1, z1] = spec.box->values;
+    const auto [x0, y0, z0, x1, y1, z1] = *spec.box;
     region.shape = BoxRegion{{x0, y0, z0}, {x1, y1, z1}};
   } else if (spec.polygon) {
     std::optional<PlanarRegion> planar = planar_of(*spec.polygon, at, context);

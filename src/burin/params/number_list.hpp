@@ -6,20 +6,13 @@
 
 #include <burin/params/read_value.hpp>
 
-namespace burin::curves::line_art {
+namespace burin::params {
 
-/// Numbers in a list, as many as wanted.
+/// So many numbers in a list.
 template <std::size_t N>
-struct Numbers {
-  std::array<double, N> values{};
-};
-
-}  // namespace burin::curves::line_art
-
-template <std::size_t N>
-struct burin::params::ValueType<burin::curves::line_art::Numbers<N>> {
+struct ValueType<std::array<double, N>> {
   static std::string name() { return std::to_string(N) + " numbers"; }
-  static bool read(const Value& value, burin::curves::line_art::Numbers<N>& numbers, ReadContext& context) {
+  static bool read(const Value& value, std::array<double, N>& numbers, ReadContext& context) {
     const Array* array = value.array();
     if (array == nullptr) return report_kind(value, "a list of " + name(), context);
     if (array->size() != N) {
@@ -28,8 +21,14 @@ struct burin::params::ValueType<burin::curves::line_art::Numbers<N>> {
       return false;
     }
     bool all = true;
-    for (std::size_t i = 0; i < N; ++i) all = read_number((*array)[i], numbers.values[i], context) && all;
+    for (std::size_t i = 0; i < N; ++i) all = read_number((*array)[i], numbers[i], context) && all;
     return all;
   }
-  static std::string text(const burin::curves::line_art::Numbers<N>&) { return {}; }
+  static std::string text(const std::array<double, N>& numbers) {
+    std::string all;
+    for (const double number : numbers) all += (all.empty() ? "" : ", ") + ValueType<double>::text(number);
+    return '[' + all + ']';
+  }
 };
+
+}  // namespace burin::params
