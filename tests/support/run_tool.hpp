@@ -65,7 +65,7 @@ class RunningTool {
     out_[0] = -1;
   }
 
-  Finished wait(std::chrono::milliseconds limit = std::chrono::seconds(60)) {
+  Finished wait(std::chrono::milliseconds limit = std::chrono::minutes(5)) {
     Finished finished;
     const auto end = std::chrono::steady_clock::now() + limit;
     bool in_time = true;
