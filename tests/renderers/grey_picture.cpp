@@ -51,23 +51,6 @@ GreyPicture top_left(const GreyPicture& picture, int width, int height) {
   return part;
 }
 
-GreyPicture shrunk(const GreyPicture& picture, int by) {
-  GreyPicture small{picture.width / by, picture.height / by, {}};
-  const double pixels = by * by;
-  for (int y = 0; y < small.height; ++y) {
-    for (int x = 0; x < small.width; ++x) {
-      int sum = 0;
-      for (int row = 0; row < by; ++row) {
-        const std::size_t first = static_cast<std::size_t>(y * by + row) * static_cast<std::size_t>(picture.width) +
-                                  static_cast<std::size_t>(x * by);
-        for (int column = 0; column < by; ++column) sum += picture.grey[first + static_cast<std::size_t>(column)];
-      }
-      small.grey.push_back(static_cast<std::uint8_t>(std::lround(sum / pixels)));
-    }
-  }
-  return small;
-}
-
 double ink(const GreyPicture& picture) {
   const int paper = picture.grey.at(0);
   std::int64_t sum = 0;
@@ -75,13 +58,13 @@ double ink(const GreyPicture& picture) {
   return static_cast<double>(sum) / 255.0;
 }
 
-GreyPicture upside_down(const GreyPicture& picture) {
-  GreyPicture turned = picture;
+GreyPicture moved(const GreyPicture& picture, int columns) {
+  GreyPicture other = picture;
   for (int y = 0; y < picture.height; ++y) {
-    const auto row = picture.grey.begin() + std::ptrdiff_t{picture.width} * y;
-    std::copy(row, row + picture.width, turned.grey.end() - std::ptrdiff_t{picture.width} * (y + 1));
+    const auto row = other.grey.begin() + std::ptrdiff_t{picture.width} * y;
+    std::rotate(row, row + columns, row + picture.width);
   }
-  return turned;
+  return other;
 }
 
 }  // namespace burin::test

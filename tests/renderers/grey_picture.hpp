@@ -25,13 +25,10 @@ double rmse(const GreyPicture& a, const GreyPicture& b);
 /// What lies within `width` and `height`, which are at most the picture's.
 GreyPicture top_left(const GreyPicture& picture, int width, int height);
 
-/// The picture with every `by` x `by` pixels averaged into one; what is left over at the right and the foot is cut off.
-GreyPicture shrunk(const GreyPicture& picture, int by);
-
 /// How much darker than its top left pixel, the bare paper, a picture is: the sum over all pixels, in pixels of black.
 double ink(const GreyPicture& picture);
 
-/// The picture with its rows from the bottom.
-GreyPicture upside_down(const GreyPicture& picture);
+/// The picture with its first columns, of which it has more, behind its last.
+GreyPicture moved(const GreyPicture& picture, int columns);
 
 }  // namespace burin::test

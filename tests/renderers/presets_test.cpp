@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 
 #include "renderers/programs.hpp"
 
@@ -18,6 +19,20 @@ std::vector<std::string> shipped_presets() {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+struct PageSize {
+  double width_mm = 0.0;
+  double height_mm = 0.0;
+};
+
+/// The longer side in dots, near 1000, at which a page ends with a dot on both sides: one that ends within a dot, the
+/// programs of others stretch.
+int whole_dots(const PageSize& page) {
+  const long width = std::lround(page.width_mm * 10.0);
+  const long height = std::lround(page.height_mm * 10.0);
+  const int step = static_cast<int>(std::max(width, height) / std::gcd(width, height));
+  return 1000 / step * step;
 }
 
 class Shipped : public testing::TestWithParam<std::string> {
@@ -39,36 +54,43 @@ class Shipped : public testing::TestWithParam<std::string> {
     return value;
   }
 
+  /// What the root of an SVG file says, in mm.
+  PageSize page_size(const std::string& file) const {
+    const std::string size = root_attribute(file, "width") + ' ' + root_attribute(file, "height");
+    PageSize page;
+    char after = '\0';
+    EXPECT_EQ(std::sscanf((size + '.').c_str(), "%lfmm %lfmm%c", &page.width_mm, &page.height_mm, &after), 3) << size;
+    EXPECT_EQ(after, '.') << size;
+    return page;
+  }
+
   TemporaryFolder folder;
 };
 
 TEST_P(Shipped, LooksTheSameOnAScreen) {
-  draw_all({"--size", "1000px"});
+  draw(folder, GetParam(), "native.svg", {"--paper"});
+  const int dots = whole_dots(page_size("native.svg"));
+  draw_all({"--size", std::to_string(dots) + "px"});
   const GreyPicture ours = read_png(folder.file("ours.png"));
-  EXPECT_EQ(std::max(ours.width, ours.height), 1000);
+  EXPECT_EQ(std::max(ours.width, ours.height), dots);
   const DrawnAs as = in_pixels(ours);
   expect_alike(ours, seen_by_rsvg(folder, "native", as));
   expect_alike(ours, seen_by_rsvg(folder, "cairo", as));
   // MuPDF rounds every edge outwards to 1/17 of a dot, which makes a line of one dot 2 % wider: its ink is compared
   // where a line has more dots, in print.
   for (const char* pdf : {"page", "native"}) {
-    EXPECT_LE(rmse(ours, seen_by_mupdf(folder, pdf, as)), most_rmse) << pdf;
+    SCOPED_TRACE(pdf);
+    expect_small(rmse(ours, seen_by_mupdf(folder, pdf, as)), ours);
   }
-  EXPECT_GT(rmse(ours, upside_down(ours)), most_rmse) << "another picture would pass, too";
 }
 
 TEST_P(Shipped, LooksTheSameThroughOurRasterizer) {
-  draw(folder, GetParam(), "cairo.png", {"--size", "1600px"});
-  const GreyPicture cairo = read_png(folder.file("cairo.png"));
-  // Lines thinner than a pixel are Cairo's weak side (1 % of the ink at 400 px): there its large picture is the
-  // measure.
-  for (const int shrink : {4, 1}) {
-    draw(folder, GetParam(), "native.png", {"--size", std::to_string(1600 / shrink) + "px", "--backend", "native"});
-    GreyPicture native = read_png(folder.file("native.png"));
-    GreyPicture measure = shrunk(cairo, shrink);
-    crop_to_each_other(measure, native);
-    expect_alike(measure, native);
-    EXPECT_GT(rmse(measure, upside_down(native)), most_rmse) << "another picture would pass, too";
+  // Not smaller: lines of a fifth of a pixel are Cairo's weak side, by 1 % of the ink, and two pens within one pixel
+  // are laid over each other by its share of both, which no large picture shows.
+  for (const char* size : {"800px", "1600px"}) {
+    draw(folder, GetParam(), "cairo.png", {"--size", size});
+    draw(folder, GetParam(), "native.png", {"--size", size, "--backend", "native"});
+    expect_alike(read_png(folder.file("cairo.png")), read_png(folder.file("native.png")));
     run_silently_in(folder, {"pngcheck", "-q", "native.png"});
   }
 }
@@ -82,7 +104,6 @@ TEST_P(Shipped, LooksTheSameInPrint) {
   expect_alike(ours, seen_by_rsvg(folder, "cairo", as));
   expect_alike(ours, seen_by_mupdf(folder, "page", as));
   expect_alike(ours, seen_by_mupdf(folder, "native", as));
-  EXPECT_GT(rmse(ours, upside_down(ours)), most_rmse) << "another picture would pass, too";
 }
 
 TEST_P(Shipped, IsCleanForPrograms) {
@@ -107,14 +128,10 @@ TEST_P(Shipped, IsCleanForPrograms) {
 
 TEST_P(Shipped, HasItsTrueSizeInEveryFormat) {
   draw_all({"--dpi", "100"});
-  const std::string width = root_attribute("native.svg", "width");
-  const std::string height = root_attribute("native.svg", "height");
-  double width_mm = 0.0;
-  double height_mm = 0.0;
-  ASSERT_EQ(std::sscanf((width + ' ' + height).c_str(), "%lfmm %lfmm", &width_mm, &height_mm), 2) << width << height;
-  EXPECT_TRUE(width.ends_with("mm") && height.ends_with("mm")) << width << ' ' << height;
-  EXPECT_EQ(root_attribute("cairo.svg", "width"), width);
-  EXPECT_EQ(root_attribute("cairo.svg", "height"), height);
+  const PageSize page = page_size("native.svg");
+  for (const std::string side : {"width", "height"}) {
+    EXPECT_EQ(root_attribute("cairo.svg", side), root_attribute("native.svg", side));
+  }
 
   for (const std::string pdf : {"page.pdf", "native.pdf"}) {
     SCOPED_TRACE(pdf);
@@ -131,13 +148,13 @@ TEST_P(Shipped, HasItsTrueSizeInEveryFormat) {
         << pages;
     EXPECT_EQ(left, 0.0);
     EXPECT_EQ(bottom, 0.0);
-    EXPECT_NEAR(right, width_mm * 72.0 / mm_per_inch, 1e-3);
-    EXPECT_NEAR(top, height_mm * 72.0 / mm_per_inch, 1e-3);
+    EXPECT_NEAR(right, page.width_mm * 72.0 / mm_per_inch, 1e-3);
+    EXPECT_NEAR(top, page.height_mm * 72.0 / mm_per_inch, 1e-3);
   }
 
   const GreyPicture ours = read_png(folder.file("ours.png"));
-  EXPECT_NEAR(ours.width, width_mm / mm_per_inch * 100.0, 0.51);
-  EXPECT_NEAR(ours.height, height_mm / mm_per_inch * 100.0, 0.51);
+  EXPECT_NEAR(ours.width, page.width_mm / mm_per_inch * 100.0, 0.51);
+  EXPECT_NEAR(ours.height, page.height_mm / mm_per_inch * 100.0, 0.51);
   const std::string chunks = run_in(folder, {"pngcheck", "-v", "ours.png"}).out;
   EXPECT_NE(chunks.find("3937x3937 pixels/meter (100 dpi)"), std::string::npos) << chunks;
 }
@@ -161,8 +178,7 @@ TEST(GreyPicture, DifferencesAndInkAreThoseByHand) {
   EXPECT_DOUBLE_EQ(rmse(a, b), 4.0);
   EXPECT_DOUBLE_EQ(ink(a), 1.2);
   EXPECT_EQ(top_left(a, 1, 2).grey, (std::vector<std::uint8_t>{255, 0}));
-  EXPECT_EQ(upside_down(a).grey, (std::vector<std::uint8_t>{0, 204, 255, 255}));
-  EXPECT_EQ(shrunk({3, 2, {255, 247, 9, 0, 204, 9}}, 2).grey, (std::vector<std::uint8_t>{177}));
+  EXPECT_EQ(moved({3, 2, {1, 2, 3, 4, 5, 6}}, 1).grey, (std::vector<std::uint8_t>{2, 3, 1, 5, 6, 4}));
 }
 
 }  // namespace
