@@ -14,6 +14,9 @@
 /// The kernels for processors with AVX2: see Kernel for what each does.
 namespace burin::output::raster {
 
+/// samples_in(), faster.
+Samples exact_samples_avx2(const Convex& shape, int i, int j);
+
 BURIN_AVX2 void cover_avx2(const Convex& shape, const PixelBox& clip, MaskTiles& tiles);
 BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, const PixelBox& clip, MaskTiles& tiles);
 BURIN_AVX2 void count_avx2(const MaskTiles::Tile& masks, std::uint8_t* counts);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <burin/output/raster/convex.hpp>
+#include <burin/output/raster/convex_samples.hpp>
 
 namespace burin::output::raster {
 
@@ -62,6 +63,35 @@ Convex wedge(Point corner, const Direction& in, const Direction& out) {
   shape.band_count = 2;
   return shape;
 }
+
+/// One sample after the other.
+struct EachSample {
+  static Samples in_band(const BandInPixel& band) {
+    Samples within = 0;
+    for (int row = 0; row < 8; ++row) {
+      const double start = band.first + row * band.per_row;
+      for (int column = 0; column < 8; ++column) {
+        const double value = start + column * band.per_column;
+        const bool in = (value >= band.low) & (value <= band.high);
+        within |= Samples{in} << static_cast<unsigned>(8 * row + column);
+      }
+    }
+    return within;
+  }
+
+  static Samples in_disc(double x0, double y0, double squared_radius) {
+    Samples within = 0;
+    for (int row = 0; row < 8; ++row) {
+      for (int column = 0; column < 8; ++column) {
+        const double x = x0 + column * column_x + row * row_x;
+        const double y = y0 + column * column_y + row * row_y;
+        const bool in = x * x + y * y <= squared_radius;
+        within |= Samples{in} << static_cast<unsigned>(8 * row + column);
+      }
+    }
+    return within;
+  }
+};
 
 int pixel_of(double units, int low, int high) {
   return static_cast<int>(
@@ -128,46 +158,7 @@ Convex join_miter(Point corner, Point in, Point out, double half_width) {
 }
 
 Samples samples_in(const Convex& shape, int i, int j) {
-  // The sample in row and column 0, from the origin.
-  const double x0 = static_cast<double>(std::int64_t{i} * units_per_pixel + sample_x(0, 0) - shape.origin.x);
-  const double y0 = static_cast<double>(std::int64_t{j} * units_per_pixel + sample_y(0, 0) - shape.origin.y);
-  constexpr double step_x = sample_x(0, 1) - sample_x(0, 0);
-  constexpr double step_y = sample_x(1, 0) - sample_x(0, 0);
-  Samples inside = all_samples;
-  for (int k = 0; k < shape.band_count && inside != 0; ++k) {
-    const Band& band = shape.bands[static_cast<std::size_t>(k)];
-    const double first = band.a * x0 + band.b * y0;
-    const double a_column = band.a * step_x - band.b * step_y;
-    const double a_row = band.a * step_y + band.b * step_x;
-    const double lowest = first + 7.0 * std::min(a_column, 0.0) + 7.0 * std::min(a_row, 0.0);
-    const double highest = first + 7.0 * std::max(a_column, 0.0) + 7.0 * std::max(a_row, 0.0);
-    if (lowest >= band.low && highest <= band.high) continue;
-    Samples within = 0;
-    for (int row = 0; row < 8; ++row) {
-      const double start = first + row * a_row;
-      for (int column = 0; column < 8; ++column) {
-        const double value = start + column * a_column;
-        const bool in = (value >= band.low) & (value <= band.high);
-        within |= Samples{in} << static_cast<unsigned>(8 * row + column);
-      }
-    }
-    inside &= within;
-  }
-  if (!shape.has_disc() || inside == 0) return inside;
-  const double radius_squared = shape.radius * shape.radius;
-  const double far_x = std::max(std::abs(x0), std::abs(x0 + 7.0 * (step_x + step_y)));
-  const double far_y = std::max(std::abs(y0 - 7.0 * step_y), std::abs(y0 + 7.0 * step_x));
-  if (far_x * far_x + far_y * far_y <= radius_squared) return inside;
-  Samples within = 0;
-  for (int row = 0; row < 8; ++row) {
-    for (int column = 0; column < 8; ++column) {
-      const double x = x0 + column * step_x + row * step_y;
-      const double y = y0 - column * step_y + row * step_x;
-      const bool in = x * x + y * y <= radius_squared;
-      within |= Samples{in} << static_cast<unsigned>(8 * row + column);
-    }
-  }
-  return inside & within;
+  return samples_in(shape, i, j, EachSample{});
 }
 
 PixelRun rows_of(const Convex& shape, const PixelBox& clip) {

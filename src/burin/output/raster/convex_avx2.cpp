@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <burin/output/raster/avx2.hpp>
+#include <burin/output/raster/convex_samples.hpp>
 #include <burin/output/raster/kernel.hpp>
 
 #ifdef BURIN_AVX2
@@ -20,6 +21,47 @@ BURIN_AVX2 inline Bounds within_range(const Bounds& bounds) {
 BURIN_AVX2 inline __m256 ramp(double step) {
   return _mm256_mul_ps(_mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7), _mm256_set1_ps(static_cast<float>(step)));
 }
+
+/// Four columns of a row at once.
+struct FourSamples {
+  BURIN_AVX2 static Samples in_band(const BandInPixel& band) {
+    const __m256d per_column = _mm256_set1_pd(band.per_column);
+    const __m256d left = _mm256_mul_pd(_mm256_setr_pd(0, 1, 2, 3), per_column);
+    const __m256d right = _mm256_mul_pd(_mm256_setr_pd(4, 5, 6, 7), per_column);
+    const auto is_in = [&](__m256d value) BURIN_AVX2 {
+      return _mm256_and_pd(_mm256_cmp_pd(value, _mm256_set1_pd(band.low), _CMP_GE_OQ),
+                           _mm256_cmp_pd(value, _mm256_set1_pd(band.high), _CMP_LE_OQ));
+    };
+    Samples within = 0;
+    for (unsigned row = 0; row < 8; ++row) {
+      const __m256d start = _mm256_set1_pd(band.first + row * band.per_row);
+      within |= row_of(is_in(_mm256_add_pd(start, left)), is_in(_mm256_add_pd(start, right))) << (8 * row);
+    }
+    return within;
+  }
+
+  BURIN_AVX2 static Samples in_disc(double x0, double y0, double squared_radius) {
+    const __m256d columns = _mm256_setr_pd(0, 1, 2, 3);
+    const __m256d x = _mm256_add_pd(_mm256_set1_pd(x0), _mm256_mul_pd(columns, _mm256_set1_pd(column_x)));
+    const __m256d y = _mm256_add_pd(_mm256_set1_pd(y0), _mm256_mul_pd(columns, _mm256_set1_pd(column_y)));
+    // All are whole numbers without rounding, in whatever order they are added.
+    const auto is_in = [&](unsigned row, unsigned column) BURIN_AVX2 {
+      const __m256d u = _mm256_add_pd(x, _mm256_set1_pd(column * column_x + row * row_x));
+      const __m256d v =
+          _mm256_add_pd(y, _mm256_set1_pd(static_cast<int>(column) * column_y + static_cast<int>(row) * row_y));
+      return _mm256_cmp_pd(_mm256_add_pd(_mm256_mul_pd(u, u), _mm256_mul_pd(v, v)), _mm256_set1_pd(squared_radius),
+                           _CMP_LE_OQ);
+    };
+    Samples within = 0;
+    for (unsigned row = 0; row < 8; ++row) within |= row_of(is_in(row, 0), is_in(row, 4)) << (8 * row);
+    return within;
+  }
+
+ private:
+  BURIN_AVX2 static Samples row_of(__m256d left, __m256d right) {
+    return static_cast<Samples>(_mm256_movemask_pd(left) | _mm256_movemask_pd(right) << 4);
+  }
+};
 
 /// A shape of two bands.
 class SegmentKernel {
@@ -144,7 +186,7 @@ BURIN_AVX2 void cover_segment(const Convex& shape, const PixelBox& clip, MaskTil
         if (*samples == all_samples) continue;
         bool certain = true;
         const Samples found = kernel.samples(i, certain);
-        *samples |= certain ? found : samples_in(shape, i, j);
+        *samples |= certain ? found : exact_samples_avx2(shape, i, j);
       }
     }
   }
@@ -163,13 +205,17 @@ BURIN_AVX2 void cover_disc(const Convex& shape, const PixelBox& clip, MaskTiles&
         if (*samples == all_samples) continue;
         bool certain = true;
         const Samples found = kernel.samples(i, j, certain);
-        *samples |= certain ? found : samples_in(shape, i, j);
+        *samples |= certain ? found : exact_samples_avx2(shape, i, j);
       }
     }
   }
 }
 
 }  // namespace
+
+Samples exact_samples_avx2(const Convex& shape, int i, int j) {
+  return samples_in(shape, i, j, FourSamples{});
+}
 
 BURIN_AVX2 void cover_avx2(const Convex& shape, const PixelBox& clip, MaskTiles& tiles) {
   if (shape.band_count == 2 && !shape.has_disc()) return cover_segment(shape, clip, tiles);

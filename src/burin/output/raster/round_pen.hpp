@@ -7,12 +7,7 @@
 
 namespace burin::output::raster {
 
-// In the frame of its samples, columns along (128, -16) units and rows along (16, 128), a pixel is a square grid of
-// step 1, and what is drawn lies in it as on the page.
-inline constexpr int column_x = sample_x(0, 1) - sample_x(0, 0);
-inline constexpr int column_y = sample_y(0, 1) - sample_y(0, 0);
-inline constexpr int row_x = sample_x(1, 0) - sample_x(0, 0);
-inline constexpr int row_y = sample_y(1, 0) - sample_y(0, 0);
+// In the frame of its samples a pixel is a square grid of step 1, and what is drawn lies in it as on the page.
 /// Square of a step of the grid, in units.
 inline constexpr double squared_step = column_x * column_x + column_y * column_y;
 /// Parts of a column that the vector kernels count bounds in.

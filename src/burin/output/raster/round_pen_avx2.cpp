@@ -80,7 +80,8 @@ BURIN_AVX2 inline RowSpans spans_from(int top, const RoundStep& step, Point to, 
 }
 
 __attribute__((noinline)) Samples exact_samples(const RoundSegment& segment, double half_width, int i, int j) {
-  return samples_in(body_of(segment, half_width), i, j) | samples_in(disc_of(segment, half_width), i, j);
+  return exact_samples_avx2(body_of(segment, half_width), i, j) |
+         exact_samples_avx2(disc_of(segment, half_width), i, j);
 }
 
 }  // namespace

@@ -44,6 +44,12 @@ constexpr int sample_y(int row, int column) {
   return 128 * row - 16 * column + 120;
 }
 
+/// From a column to the next, and from a row.
+inline constexpr int column_x = sample_x(0, 1) - sample_x(0, 0);
+inline constexpr int column_y = sample_y(0, 1) - sample_y(0, 0);
+inline constexpr int row_x = sample_x(1, 0) - sample_x(0, 0);
+inline constexpr int row_y = sample_y(1, 0) - sample_y(0, 0);
+
 /// The samples of one pixel: bit 8 row + column.
 using Samples = std::uint64_t;
 inline constexpr Samples all_samples = ~Samples{0};
