@@ -6,10 +6,8 @@
 
 #include <burin/base/suggest.hpp>
 #include <burin/output/back_ends.hpp>
+#include <cli/cairo_back_ends.hpp>
 #include <cli/formats.hpp>
-#ifdef BURIN_HAS_CAIRO
-#include <burin/output_cairo/back_ends.hpp>
-#endif
 
 namespace burin::cli {
 
@@ -18,6 +16,14 @@ namespace {
 /// Cairo's finish is the better default where both write a format, but for SVG.
 std::string_view preferred_name(std::string_view format) {
   return format == "pdf" || format == "png" ? "cairo" : "native";
+}
+
+/// The core's back end of that name; null when there is none.
+const BackEnd* native_writer(std::string_view format, std::string_view name) {
+  for (const BackEnd& row : output::back_ends()) {
+    if (row.format == format && row.name == name) return &row;
+  }
+  return nullptr;
 }
 
 std::vector<const BackEnd*> writers_of(std::string_view format) {
@@ -31,9 +37,7 @@ std::vector<const BackEnd*> writers_of(std::string_view format) {
 std::vector<const BackEnd*> all_back_ends() {
   std::vector<const BackEnd*> all;
   for (const BackEnd& row : output::back_ends()) all.push_back(&row);
-#ifdef BURIN_HAS_CAIRO
-  for (const BackEnd& row : output_cairo::back_ends()) all.push_back(&row);
-#endif
+  for (const BackEnd& row : cairo_back_ends()) all.push_back(&row);
   return all;
 }
 
@@ -46,15 +50,18 @@ std::vector<std::string_view> format_names() {
 }
 
 Result<Done> check_format(std::string_view format) {
+  const std::span<const BackEnd> native = output::back_ends();
+  if (std::any_of(native.begin(), native.end(), [&](const BackEnd& b) { return b.format == format; })) return Done{};
   const std::vector<std::string_view> names = format_names();
   if (std::find(names.begin(), names.end(), format) != names.end()) return Done{};
   return Problem{{"burin draw"}, fmt::format("there is no format '{}'; formats: {}", format, fmt::join(names, ", "))};
 }
 
 Result<const BackEnd*> choose_back_end(std::string_view format, const std::optional<std::string>& name) {
+  const std::string_view wanted = name ? std::string_view(*name) : preferred_name(format);
+  if (const BackEnd* const row = native_writer(format, wanted)) return row;
   if (const Result<Done> known = check_format(format); !known) return known.problems();
   const std::vector<const BackEnd*> writers = writers_of(format);
-  const std::string_view wanted = name ? std::string_view(*name) : preferred_name(format);
   for (const BackEnd* row : writers) {
     if (row->name == wanted) return row;
   }

@@ -207,6 +207,20 @@ TEST(Draw, DataFilesAreReadBesideThePreset) {
 }
 
 #ifdef BURIN_HAS_CAIRO
+TEST(Draw, LoadsCairoForItsDrawingsOnly) {
+  const TemporaryFolder folder;
+  ToolSetup setup;
+  setup.environment.emplace_back("LD_DEBUG", "files");  // the loader says what it loads
+  const auto loads_cairo = [&](const std::string& back_end) {
+    const Finished finished = burin_in(folder, {"draw", "koch", "-q", "--backend", back_end, "-o", "a.png"}, setup);
+    EXPECT_EQ(finished.code, 0);
+    EXPECT_TRUE(contains(finished.err, "libc.so"));
+    return contains(finished.err, "libcairo");
+  };
+  EXPECT_TRUE(loads_cairo("cairo"));
+  EXPECT_FALSE(loads_cairo("native"));
+}
+
 TEST(Draw, PngSizeIsTheLongerSide) {
   const TemporaryFolder folder;
   EXPECT_EQ(burin_in(folder, {"draw", "koch", "-q", "--size", "500px", "-o", "a.png"}).code, 0);

@@ -13,3 +13,7 @@ std::span<const BackEnd> back_ends() {
 }
 
 }  // namespace burin::output_cairo
+
+void burin_cairo_back_ends(std::span<const burin::BackEnd>& rows) {
+  rows = burin::output_cairo::back_ends();
+}

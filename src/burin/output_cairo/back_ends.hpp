@@ -10,3 +10,6 @@ namespace burin::output_cairo {
 std::span<const BackEnd> back_ends();
 
 }  // namespace burin::output_cairo
+
+/// The same for programs that load this library only when they need it: sets `rows`.
+extern "C" void burin_cairo_back_ends(std::span<const burin::BackEnd>& rows);
