@@ -66,7 +66,7 @@ TEST(LibraryBench, PointsInMemoryCostAFewTimesAsMuchAsClearingIt) {
   }
   const double ratio = drawing.cpu_s / clearing.cpu_s;
   print_ratio("a million points / memset of them", {ratio, ratio, ratio});
-  EXPECT_LE(ratio, 6.0);
+  EXPECT_LE(ratio, 4.5);
 }
 
 TEST(LibraryBench, AZoomOfAMillionCostsLittleMoreThanNone) {

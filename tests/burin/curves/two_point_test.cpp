@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <burin/base/random.hpp>
+#include <burin/curves/two_point/placed_points.hpp>
 
 #include "support/curve_summary.hpp"
 #include "support/json_value.hpp"
+#include "support/random_paths.hpp"
 
 namespace burin::curves {
 namespace {
@@ -33,6 +35,21 @@ double polygon_area(const std::vector<Vec2>& points) {
   double area = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) area += 0.5 * cross(points[i], points[(i + 1) % points.size()]);
   return area;
+}
+
+TEST(TwoPoint, PointsOfATableArePlacedByTheFormulaToTheBit) {
+  test::Dice dice(21);
+  const auto random_point = [&] { return Vec2{dice.between(-2.0, 2.0), dice.between(-2.0, 2.0)}; };
+  for (std::size_t count = 0; count < 20; ++count) {
+    std::vector<Vec2> table;
+    while (table.size() < count) table.push_back(random_point());
+    const Vec2 p = random_point();
+    const Vec2 d = random_point();
+    std::vector<Vec2> room(count + 1, Vec2{7.0, 7.0});
+    two_point::place_points(table, p, d, room.data());
+    for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(room[k], p + complex_product(table[k], d)) << k;
+    EXPECT_EQ(room[count], (Vec2{7.0, 7.0}));
+  }
 }
 
 TEST(TwoPoint, LevelZeroIsTheBase) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include <burin/curves/two_point/placed_points.hpp>
 #include <burin/path/path_sink.hpp>
 #include <burin/path/point_buffer.hpp>
 
@@ -22,7 +23,7 @@ class PointEmitter {
     const std::size_t count = table.size() - 1;
     Vec2* room = buffer_.reserve(count);
     if (room == nullptr) return Flow::stop;
-    for (std::size_t w = 0; w + 1 < count; ++w) room[w] = p + complex_product(table[w + 1], d);
+    place_points(table.subspan(1, count - 1), p, d, room);
     room[count - 1] = q;
     return Flow::go;
   }
