@@ -81,7 +81,7 @@ TEST_F(PngBench, KochOfOrderTenIsFarCheaperThanCairo) {
   const Ratio ratio = against_cairo(koch);
   print_ratio("PNG, Koch, order 10: Cairo / native", ratio);
   expect_alike(6.0);  // Cairo draws where its chunks meet twice
-  EXPECT_GE(ratio.median, 28.0);
+  EXPECT_GE(ratio.median, 33.0);
 }
 
 TEST_F(PngBench, OrderElevenCostsNoMoreThanEight) {
@@ -106,21 +106,21 @@ TEST_F(PngBench, OrderElevenCostsNoMoreThanEight) {
   EXPECT_LE(eleven.peak_mib, 20.0);
 }
 
-TEST_F(PngBench, AMillionSegmentsOfDragonAreThreeTimesCheaperThanCairos) {
+TEST_F(PngBench, AMillionSegmentsOfDragonAreFarCheaperThanCairos) {
   const std::string dragon = preset("dragon", 20);
   const Ratio ratio = against_cairo(dragon);
   print_ratio("PNG, dragon, 2^20: Cairo / native", ratio);
   expect_alike(4.0);
-  EXPECT_GE(ratio.median, 3.5);
+  EXPECT_GE(ratio.median, 3.8);
 }
 
-TEST_F(PngBench, AHundredThousandPolylinesAreThreeTimesCheaperThanCairos) {
+TEST_F(PngBench, AHundredThousandPolylinesAreFourTimesCheaperThanCairos) {
   const Ratio ratio = times_theirs(
       5, [&] { return lines_program("polylines", "native").cpu_s; },
       [&] { return lines_program("polylines", "1000").cpu_s; });
   print_ratio("PNG, 100,000 x 20 points: Cairo / native", ratio);
   expect_alike(8.0);  // Cairo darkens where lines cross
-  EXPECT_GE(ratio.median, 3.0);
+  EXPECT_GE(ratio.median, 4.0);
 }
 
 double cpu_s() {

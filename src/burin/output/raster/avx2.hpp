@@ -1,6 +1,7 @@
 #pragma once
 
-#include <bit>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include <burin/output/raster/convex.hpp>
@@ -35,28 +36,67 @@ struct Bounds {
   __m256 high;
 };
 
-/// 16 times the same 16 bits. As a float of the same bits it is one load; as a number it would go through a register.
-BURIN_AVX2 inline __m256i words(std::int16_t word) {
-  const auto bits = static_cast<std::uint16_t>(word);
-  return _mm256_castps_si256(_mm256_set1_ps(std::bit_cast<float>(bits * 0x10001U)));
+/// A vector in memory, where an instruction takes it for nothing. What the compiler knows it makes anew for every
+/// pixel, by one to three instructions.
+template <class Value, std::size_t count>
+struct alignas(32) InMemory {
+  std::array<Value, count> values;
+};
+using Floats = InMemory<float, 8>;
+using Words = InMemory<std::int16_t, 16>;
+
+template <class Vector>
+constexpr Vector all(typename decltype(Vector::values)::value_type value) {
+  Vector vector{};
+  for (auto& each : vector.values) each = value;
+  return vector;
 }
 
+BURIN_AVX2 inline __m256 load(const Floats& floats) {
+  return _mm256_load_ps(floats.values.data());
+}
+template <class Integer, std::size_t count>
+BURIN_AVX2 inline __m256i load(const InMemory<Integer, count>& integers) {
+  return _mm256_load_si256(reinterpret_cast<const __m256i*>(integers.values.data()));
+}
+
+/// The same object, but the compiler cannot know what is in it.
+template <class T>
+const T& unknown(const T& known) {
+  const T* same = &known;
+  asm("" : "+r"(same) : : "memory");
+  return *same;
+}
+
+/// What samples_between() computes with.
+struct SampleWords {
+  // Beyond the pixel's columns all bounds are alike, and no column is near.
+  Words most = all<Words>(4 * 4096 + 64);
+  Words least = all<Words>(-4 * 4096 - 64);
+  Words two = all<Words>(2);
+  Words four = all<Words>(4);
+  Words fraction = all<Words>(4095);
+  Words low_bits = all<Words>(0x0F0F);
+  /// Bytes with all columns from number index - 12 (or index + 4, for 0 to 7) on.
+  InMemory<std::int8_t, 32> from{{-16, -32, -64, -128, 0, 0, 0, 0, -1, -1, -1, -1, -1, -2, -4, -8,
+                                  -16, -32, -64, -128, 0, 0, 0, 0, -1, -1, -1, -1, -1, -2, -4, -8}};
+};
+
+inline constexpr SampleWords sample_words;
+
 /// The samples between both bounds. `certain` is set to whether they are sure. Pre: the bounds are within 2^31.
-BURIN_AVX2 inline Samples samples_between(const Bounds& bounds, bool& certain) {
+BURIN_AVX2 inline Samples samples_between(const Bounds& bounds, const SampleWords& words, bool& certain) {
   const __m256i low = _mm256_cvtps_epi32(bounds.low);
   const __m256i high = _mm256_cvtps_epi32(bounds.high);
-  // In each half: four low bounds, four high ones. Beyond the pixel's columns all are alike, and no column is near.
-  constexpr std::int16_t beyond = 4 * 4096 + 64;
-  const __m256i both = _mm256_max_epi16(_mm256_min_epi16(_mm256_packs_epi32(low, high), words(beyond)), words(-beyond));
-  const __m256i past_column = _mm256_and_si256(_mm256_add_epi16(both, words(2)), words(4095));
-  const __m256i is_near = _mm256_cmpgt_epi16(words(4), past_column);
+  // In each half: four low bounds, four high ones.
+  const __m256i both =
+      _mm256_max_epi16(_mm256_min_epi16(_mm256_packs_epi32(low, high), load(words.most)), load(words.least));
+  const __m256i past_column = _mm256_and_si256(_mm256_add_epi16(both, load(words.two)), load(words.fraction));
+  const __m256i is_near = _mm256_cmpgt_epi16(load(words.four), past_column);
   certain = _mm256_testz_si256(is_near, is_near) != 0;
   const __m256i columns = _mm256_srai_epi16(both, 12);
-  const __m256i index = _mm256_and_si256(_mm256_packs_epi16(columns, columns), words(0x0F0F));
-  // All columns from number index - 12 (or index + 4, for 0 to 7) on.
-  const __m256i from = _mm256_setr_epi8(-16, -32, -64, -128, 0, 0, 0, 0, -1, -1, -1, -1, -1, -2, -4, -8, -16, -32, -64,
-                                        -128, 0, 0, 0, 0, -1, -1, -1, -1, -1, -2, -4, -8);
-  const __m256i masks = _mm256_shuffle_epi8(from, index);
+  const __m256i index = _mm256_and_si256(_mm256_packs_epi16(columns, columns), load(words.low_bits));
+  const __m256i masks = _mm256_shuffle_epi8(load(words.from), index);
   const __m256i between = _mm256_andnot_si256(_mm256_srli_epi64(masks, 32), masks);
   const __m128i rows = _mm_unpacklo_epi32(_mm256_castsi256_si128(between), _mm256_extracti128_si256(between, 1));
   return static_cast<Samples>(_mm_cvtsi128_si64(rows));

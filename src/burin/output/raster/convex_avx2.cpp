@@ -91,7 +91,7 @@ class SegmentKernel {
                             _mm256_add_ps(_mm256_permute_ps(twice, 0xAA), ramp_other_));
     all.high = _mm256_min_ps(_mm256_add_ps(_mm256_permute_ps(twice, 0x55), ramp_one_),
                              _mm256_add_ps(_mm256_permute_ps(twice, 0xFF), ramp_other_));
-    return samples_between(within_range(all), certain);
+    return samples_between(within_range(all), sample_words, certain);
   }
 
  private:
@@ -156,8 +156,8 @@ class DiscKernel {
     // A row outside has bounds that are equal: nothing lies between them.
     const __m256 half = _mm256_sqrt_ps(_mm256_max_ps(left, _mm256_setzero_ps()));
     const __m256 middle = _mm256_set1_ps(static_cast<float>(column));
-    const Samples found =
-        samples_between(within_range({_mm256_sub_ps(middle, half), _mm256_add_ps(middle, half)}), certain);
+    const Samples found = samples_between(within_range({_mm256_sub_ps(middle, half), _mm256_add_ps(middle, half)}),
+                                          sample_words, certain);
     certain = certain && near_border == 0;
     return found;
   }

@@ -42,19 +42,21 @@ class Tiles {
   /// The same, made if need be: filled with `blank`.
   Tile& touched(int column, int row, const Value& blank) {
     Tile*& tile = tiles_[index(column, row)];
-    if (tile == nullptr) {
-      tile = fresh();
-      tile->fill(blank);
-    }
+    if (tile == nullptr) tile = fresh(blank);
     return *tile;
   }
 
   /// The value of pixel (i, j), the first of those up to end_of_tile(i). Pre: it is inside part().
   Value* at(int i, int j, const Value& blank) {
-    Tile& tile = touched((i - part_.left) / width, (j - part_.top) / height, blank);
-    return tile.data() + static_cast<std::size_t>(j % height) * width + static_cast<std::size_t>(i % width);
+    // Without a sign a division is a shift, and this is the innermost loop's.
+    const auto x = static_cast<unsigned>(i - part_.left);
+    const auto y = static_cast<unsigned>(j - part_.top);
+    Tile*& tile = tiles_[y / height * static_cast<std::size_t>(columns_) + x / width];
+    if (tile == nullptr) tile = fresh(blank);
+    return tile->data() + (y % height * width + x % width);
   }
-  static constexpr int end_of_tile(int i) { return (i / width + 1) * width; }
+  /// Pre: i is not negative, as no pixel of the page is.
+  static constexpr int end_of_tile(int i) { return (i | (width - 1)) + 1; }
 
   /// Forgets what the tile holds; its memory serves the next.
   void release(int column, int row) {
@@ -76,7 +78,7 @@ class Tiles {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
 
-  Tile* fresh() {
+  __attribute__((noinline)) Tile* fresh(const Value& blank) {
     if (spare_.empty()) {
       std::byte* const bytes = memory_.take()->bytes.data();
       // Not cleared here: each tile is filled when it is touched.
@@ -84,6 +86,7 @@ class Tiles {
     }
     Tile* const tile = spare_.back();
     spare_.pop_back();
+    tile->fill(blank);
     return tile;
   }
 

@@ -15,31 +15,64 @@ namespace {
 // between the least and the greatest of them is covered by both, or by the disc about its start: all three together are
 // convex.
 
+struct PixelNumbers {
+  Floats rows{{0, 4096, 8192, 12288, 16384, 20480, 24576, 28672}};
+  Floats sign = all<Floats>(-0.0F);
+  Floats far = all<Floats>(1e9F);
+  Floats before_all = all<Floats>(-1e9F);
+  Floats near = all<Floats>(4.0F);
+  Floats unit = all<Floats>(static_cast<float>(fixed_point / squared_step));
+  Floats offset = all<Floats>(static_cast<float>(bound_offset));
+  SampleWords words;
+};
+constexpr PixelNumbers pixel_numbers;
+
+/// Of a step and the pen.
+struct StepLanes {
+  BURIN_AVX2 StepLanes(const RoundPen& pen, const RoundStep& step) {
+    const auto set = [](Floats& floats, float value)
+                         BURIN_AVX2 { _mm256_store_ps(floats.values.data(), _mm256_set1_ps(value)); };
+    set(squared_radius, pen.squared_radius);
+    set(uncertain_below, pen.uncertain_below);
+    set(across, step.across);
+    set(along, step.along);
+    set(side, step.side);
+    set(low_end, step.low_end);
+    set(high_end, step.high_end);
+  }
+
+  Floats squared_radius;
+  Floats uncertain_below;
+  Floats across;
+  Floats along;
+  Floats side;
+  Floats low_end;
+  Floats high_end;
+};
+
 /// `column` and `row`: where the segment's end is from the pixel's first sample, times the square of a grid's step.
-BURIN_AVX2 inline Samples samples_of(const RoundPen& pen, const RoundStep& step, int column, int row, bool& certain) {
-  constexpr auto unit = static_cast<float>(fixed_point / squared_step);
-  const __m256 rows = _mm256_setr_ps(0, 4096, 8192, 12288, 16384, 20480, 24576, 28672);
-  const __m256 sign = _mm256_set1_ps(-0.0F);
-  const __m256 down = _mm256_fnmadd_ps(_mm256_set1_ps(static_cast<float>(row)), _mm256_set1_ps(unit), rows);
-  const __m256 middle = _mm256_set1_ps(static_cast<float>(column) * unit + static_cast<float>(bound_offset));
-  const __m256 side = _mm256_set1_ps(step.side);
-  const __m256 along = _mm256_set1_ps(step.along);
-  const __m256 axis = _mm256_mul_ps(_mm256_set1_ps(step.across), down);
-  const __m256 low_body =
-      _mm256_max_ps(_mm256_sub_ps(axis, side), _mm256_fmadd_ps(along, down, _mm256_set1_ps(step.low_end)));
-  const __m256 high_body =
-      _mm256_min_ps(_mm256_add_ps(axis, side), _mm256_fmadd_ps(along, down, _mm256_set1_ps(step.high_end)));
+BURIN_AVX2 inline Samples samples_of(const PixelNumbers& numbers, const StepLanes& step, int column, int row,
+                                     bool& certain) {
+  const __m256 unit = load(numbers.unit);
+  const __m256 down = _mm256_fnmadd_ps(_mm256_set1_ps(static_cast<float>(row)), unit, load(numbers.rows));
+  const __m256 middle = _mm256_fmadd_ps(_mm256_set1_ps(static_cast<float>(column)), unit, load(numbers.offset));
+  const __m256 axis = _mm256_mul_ps(down, load(step.across));
+  const __m256 end = _mm256_mul_ps(down, load(step.along));
+  const __m256 low_body = _mm256_max_ps(_mm256_sub_ps(axis, load(step.side)), _mm256_add_ps(end, load(step.low_end)));
+  const __m256 high_body = _mm256_min_ps(_mm256_add_ps(axis, load(step.side)), _mm256_add_ps(end, load(step.high_end)));
   const __m256 body = _mm256_sub_ps(high_body, low_body);
-  const __m256 disc = _mm256_fnmadd_ps(down, down, _mm256_set1_ps(pen.squared_radius));
+  const __m256 disc = _mm256_fnmadd_ps(down, down, load(step.squared_radius));
   // Whether a row meets the body, and the disc, must be sure too.
+  const __m256 sign = load(numbers.sign);
   const __m256 is_near =
-      _mm256_or_ps(_mm256_cmp_ps(_mm256_andnot_ps(sign, body), _mm256_set1_ps(4.0F), _CMP_LT_OQ),
-                   _mm256_cmp_ps(_mm256_andnot_ps(sign, disc), _mm256_set1_ps(pen.uncertain_below), _CMP_LE_OQ));
+      _mm256_or_ps(_mm256_cmp_ps(_mm256_andnot_ps(sign, body), load(numbers.near), _CMP_LT_OQ),
+                   _mm256_cmp_ps(_mm256_andnot_ps(sign, disc), load(step.uncertain_below), _CMP_LE_OQ));
   // Where there is no root, it is no number, and the lesser or greater of it and another is the other.
   const __m256 half = _mm256_sqrt_ps(disc);
-  const __m256 low = _mm256_min_ps(_mm256_xor_ps(half, sign), _mm256_blendv_ps(low_body, _mm256_set1_ps(1e9F), body));
-  const __m256 high = _mm256_max_ps(half, _mm256_blendv_ps(high_body, _mm256_set1_ps(-1e9F), body));
-  const Samples found = samples_between({_mm256_add_ps(low, middle), _mm256_add_ps(high, middle)}, certain);
+  const __m256 low = _mm256_min_ps(_mm256_xor_ps(half, sign), _mm256_blendv_ps(low_body, load(numbers.far), body));
+  const __m256 high = _mm256_max_ps(half, _mm256_blendv_ps(high_body, load(numbers.before_all), body));
+  const Samples found =
+      samples_between({_mm256_add_ps(low, middle), _mm256_add_ps(high, middle)}, numbers.words, certain);
   certain = certain && _mm256_testz_ps(is_near, is_near) != 0;
   return found;
 }
@@ -105,6 +138,9 @@ BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, con
   const int bottom = std::min(clip.bottom, pixel_of(to.y + step.bottom) + 1);
   const int left = std::max(clip.left, pixel_of(to.x + step.left));
   const int right = std::min(clip.right, pixel_of(to.x + step.right) + 1);
+  const PixelNumbers& numbers = unknown(pixel_numbers);
+  const StepLanes own_lanes(pen, step);
+  const StepLanes& lanes = unknown(own_lanes);
   RowSpans spans;
   for (int j = top; j < bottom; ++j) {
     const auto row = static_cast<std::size_t>(j - top) % RowSpans::count;
@@ -119,7 +155,7 @@ BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, con
         if (*samples == all_samples) continue;
         const int x = to.x - i * units_per_pixel - sample_x(0, 0);
         bool certain = true;
-        const Samples found = samples_of(pen, step, column_x * x + column_y * y, row_x * x + row_y * y, certain);
+        const Samples found = samples_of(numbers, lanes, column_x * x + column_y * y, row_x * x + row_y * y, certain);
         *samples |= certain ? found : exact_samples(segment, pen.half_width, i, j);
       }
     }
