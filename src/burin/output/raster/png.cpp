@@ -127,9 +127,13 @@ Result<Done> RasterPng::finish() {
 
 /// By the colours of the whole page.
 void RasterPng::choose_format() {
+  // More shades of grey than fit into 4 bits are as small without a palette.
+  const std::size_t most = head_.pixels == PngPixels::grey ? most_packed : 256;
   const bool few_colours = index_.add(raster::rgb_of(sheet_.page.paper)).has_value() &&
-                           painters_->visit_colours([this](std::span<const Rgb> pixels) { return index_.add(pixels); });
-  if (few_colours && (head_.pixels != PngPixels::grey || index_.colours().size() <= most_packed)) {
+                           painters_->visit_colours([&](std::span<const Rgb> pixels) {
+                             return index_.add(pixels) && index_.colours().size() <= most;
+                           });
+  if (few_colours) {
     head_.pixels = PngPixels::palette;
     head_.palette = index_.colours();
   }

@@ -15,6 +15,7 @@ namespace {
 // between the least and the greatest of them is covered by both, or by the disc about its start: all three together are
 // convex.
 
+/// Of every pixel.
 struct PixelNumbers {
   Floats rows{{0, 4096, 8192, 12288, 16384, 20480, 24576, 28672}};
   Floats sign = all<Floats>(-0.0F);
