@@ -18,6 +18,13 @@ double sin(double radians);
 double cos(double radians);
 double tan(double radians);
 
+struct CosineSine {
+  double cosine;
+  double sine;
+};
+/// The bits of cos() and sin(), for little more than the time of one.
+CosineSine cos_sin(double radians);
+
 /// Of an angle in degrees, exact at multiples of 30 and 45 wherever the value is 0, 1/2 or 1: sin_degrees(30) == 0.5.
 /// Never -0. The tangent of an odd multiple of 90 is infinity.
 double sin_degrees(double degrees);

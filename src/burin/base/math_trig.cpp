@@ -75,6 +75,19 @@ double cos(double radians) {
   return std::isfinite(radians) ? cosine_of(reduce_radians(radians)).hi : nan;
 }
 
+CosineSine cos_sin(double radians) {
+  if (!std::isfinite(radians)) return {nan, nan};
+  const ReducedAngle angle = reduce_radians(radians);
+  const double cosine = cosine_of(angle.rest).hi;
+  const double sine = sine_of(angle.rest).hi;
+  // Which is which, and its sign, is not for a branch to guess.
+  const bool swapped = angle.quadrant % 2 != 0;
+  const double x = swapped ? sine : cosine;
+  const double y = swapped ? cosine : sine;
+  const double small = std::abs(radians) < negligible_cube ? radians : y;
+  return {angle.quadrant == 1 || angle.quadrant == 2 ? -x : x, angle.quadrant < 2 ? small : -y};
+}
+
 double tan(double radians) {
   if (std::abs(radians) < negligible_cube) return radians;
   return std::isfinite(radians) ? tangent_of(reduce_radians(radians)) : nan;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include <burin/base/check.hpp>
 #include <burin/path/decorators.hpp>
@@ -8,11 +7,12 @@
 namespace burin {
 
 Flow Mapped::points(std::span<const Vec2> points) {
-  std::array<Vec2, 1024> mapped;
+  constexpr std::size_t at_once = 1024;
   while (!points.empty()) {
-    const std::size_t count = std::min(points.size(), mapped.size());
-    for (std::size_t i = 0; i < count; ++i) mapped[i] = map_(points[i]);
-    if (next().points(std::span(mapped).first(count)) == Flow::stop) return Flow::stop;
+    const std::size_t count = std::min(points.size(), at_once);
+    if (mapped_.size() < count) mapped_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) mapped_[i] = map_(points[i]);
+    if (next().points(std::span(mapped_).first(count)) == Flow::stop) return Flow::stop;
     points = points.subspan(count);
   }
   return Flow::go;

@@ -5,6 +5,7 @@
 #include <span>
 #include <stop_token>
 #include <utility>
+#include <vector>
 
 #include <burin/geom/affine2.hpp>
 #include <burin/geom/box2.hpp>
@@ -43,6 +44,7 @@ class Mapped final : public Decorator {
 
  private:
   Affine2 map_;
+  std::vector<Vec2> mapped_;  ///< kept: most strokes are short, and there are many
 };
 
 /// Gives every path the layer, role and level of `head`; what is closed and filled stays as it comes.

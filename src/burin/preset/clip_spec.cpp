@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <burin/base/math.hpp>
+#include <burin/geom/direction.hpp>
 #include <burin/preset/clip_spec.hpp>
 #include <burin/preset/piece.hpp>
 #include <burin/preset/piece_values.hpp>
@@ -24,7 +25,7 @@ std::vector<Vec2> disc_outline(Vec2 centre, double radius_mm) {
   std::vector<Vec2> outline;
   for (int i = 0; i < count; ++i) {
     const double angle = math::tau * i / count;
-    outline.push_back(centre + radius_mm * Vec2{math::cos(angle), math::sin(angle)});
+    outline.push_back(centre + radius_mm * direction(angle));
   }
   return outline;
 }

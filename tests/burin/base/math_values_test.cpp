@@ -3,6 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -76,6 +77,20 @@ TEST(MathValues, SignedZerosAndTinyArgumentsPassThrough) {
   EXPECT_TRUE(std::signbit(math::cbrt(-0.0)));
   EXPECT_EQ(math::cos(tiniest), 1.0);
   EXPECT_EQ(math::exp(-0.0), 1.0);
+}
+
+TEST(MathValues, CosineAndSineTogetherHaveTheBitsOfEach) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  using math::pi;
+  std::vector<double> angles = {0.0, -0.0, 1e-300, -1e-9, pi / 4, pi / 2, pi, 1.5 * pi, 2.0 * pi, 1e6, 1e15, -1e300};
+  for (int k = -4000; k < 4000; ++k) angles.push_back(0.0073 * k);
+  for (const double angle : angles) {
+    const math::CosineSine both = math::cos_sin(angle);
+    EXPECT_EQ(bits(both.cosine), bits(math::cos(angle))) << angle;
+    EXPECT_EQ(bits(both.sine), bits(math::sin(angle))) << angle;
+  }
+  EXPECT_TRUE(std::isnan(math::cos_sin(inf).cosine));
+  EXPECT_TRUE(std::isnan(math::cos_sin(nan).sine));
 }
 
 TEST(MathValues, OutsideTheDomainIsNaN) {

@@ -5,6 +5,7 @@
 #include <burin/curves/line_art/counts.hpp>
 #include <burin/curves/line_art/draws.hpp>
 #include <burin/curves/line_art/polyline_model.hpp>
+#include <burin/geom/direction.hpp>
 
 namespace burin::curves::line_art {
 
@@ -87,7 +88,7 @@ void PolylineModel::grow(Walk walk, std::size_t first_segment, std::size_t end_s
       if (!(factor > 0.0)) return;
       length *= factor;
     }
-    const Vec2 next = walk.spot.at + length * Vec2{math::cos(walk.heading), math::sin(walk.heading)};
+    const Vec2 next = walk.spot.at + length * direction(walk.heading);
     if (!is_finite(next)) return;
     points.push_back(next);
     walk.spot.at = next;

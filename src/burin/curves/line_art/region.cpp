@@ -5,6 +5,7 @@
 #include <burin/base/math.hpp>
 #include <burin/base/random.hpp>
 #include <burin/curves/line_art/region.hpp>
+#include <burin/geom/direction.hpp>
 
 namespace burin::curves::line_art {
 
@@ -130,7 +131,7 @@ struct PlaceIn {
             ? ring.outer * std::sqrt(uv.x)
             : std::sqrt(ring.inner * ring.inner + uv.x * (ring.outer * ring.outer - ring.inner * ring.inner));
     const double azimuth = math::tau * uv.y;
-    return ring.centre + radius * Vec2{math::cos(azimuth), math::sin(azimuth)};
+    return ring.centre + radius * direction(azimuth);
   }
   Vec2 operator()(const AreaRegion& area) const {
     // The reader has seen to it that the area fills a thousandth of its box: all attempts miss once in e^65.

@@ -4,6 +4,7 @@
 #include <burin/base/math.hpp>
 #include <burin/curves/line_art/counts.hpp>
 #include <burin/curves/line_art/space_models.hpp>
+#include <burin/geom/direction.hpp>
 
 namespace burin::curves::line_art {
 
@@ -21,12 +22,14 @@ Frame frame_across(Vec3 d) {
 }
 
 Vec3 at_azimuth(const Frame& frame, double radians) {
-  return math::cos(radians) * frame.first + math::sin(radians) * frame.second;
+  const Vec2 at = direction(radians);
+  return at.x * frame.first + at.y * frame.second;
 }
 
 /// The unit vector h turned by an angle about an axis across it.
 Vec3 turned(Vec3 h, double radians, Vec3 axis) {
-  return unit(math::cos(radians) * h + math::sin(radians) * cross(axis, h));
+  const Vec2 at = direction(radians);
+  return unit(at.x * h + at.y * cross(axis, h));
 }
 
 }  // namespace
@@ -50,7 +53,8 @@ Vec3 SpacePolylineModel::first_heading(std::uint64_t line) const {
   if (!params_.heading) {
     const double z = uniform_symmetric(seed_, draws::heading, line, 0);
     const double r = std::sqrt(1.0 - z * z);
-    return {r * math::cos(azimuth), r * math::sin(azimuth), z};
+    const Vec2 around = r * direction(azimuth);
+    return {around.x, around.y, z};
   }
   const double off = params_.spread * math::radians_per_degree * uniform(seed_, draws::heading, line, 0);
   const Vec3 heading = unit(*params_.heading);

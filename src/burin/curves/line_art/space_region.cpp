@@ -5,6 +5,7 @@
 #include <burin/base/math.hpp>
 #include <burin/base/random.hpp>
 #include <burin/curves/line_art/space_region.hpp>
+#include <burin/geom/direction.hpp>
 
 namespace burin::curves::line_art {
 
@@ -21,7 +22,8 @@ Vec3 direction_of(Vec2 uv) {
   const double z = 2.0 * uv.x - 1.0;
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
   const double azimuth = math::tau * uv.y;
-  return {r * math::cos(azimuth), r * math::sin(azimuth), z};
+  const Vec2 around = r * direction(azimuth);
+  return {around.x, around.y, z};
 }
 
 Vec3 on_track(const SpaceTrackRegion& track, double u) {
