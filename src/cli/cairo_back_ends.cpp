@@ -2,8 +2,11 @@
 
 #if defined(BURIN_CAIRO_LIBRARY)
 #include <dlfcn.h>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
+
+#include <burin/output/back_ends.hpp>
 #endif
 #ifdef BURIN_HAS_CAIRO
 #include <burin/output_cairo/back_ends.hpp>
@@ -15,9 +18,16 @@ namespace burin::cli {
 
 namespace {
 
+/// The library lies beside the core's, which is where those rows are.
+std::string library_path() {
+  Dl_info core{};
+  if (dladdr(output::back_ends().data(), &core) == 0 || core.dli_fname == nullptr) return BURIN_CAIRO_LIBRARY;
+  return (std::filesystem::path(core.dli_fname).parent_path() / BURIN_CAIRO_LIBRARY).string();
+}
+
 std::span<const BackEnd> loaded() {
   // For good: what it hands out is code.
-  void* const library = dlopen(BURIN_CAIRO_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+  void* const library = dlopen(library_path().c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const symbol = library == nullptr ? nullptr : dlsym(library, "burin_cairo_back_ends");
   if (symbol == nullptr) throw std::runtime_error(std::string("Cairo's back ends are not installed: ") + dlerror());
   std::span<const BackEnd> rows;
