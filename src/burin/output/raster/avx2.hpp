@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <burin/output/raster/convex.hpp>
 #include <burin/output/raster/mask_tiles.hpp>
@@ -19,7 +20,10 @@ namespace burin::output::raster {
 Samples exact_samples_avx2(const Convex& shape, int i, int j);
 
 BURIN_AVX2 void cover_avx2(const Convex& shape, const PixelBox& clip, MaskTiles& tiles);
-BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, const PixelBox& clip, MaskTiles& tiles);
+BURIN_AVX2 void cover_round_avx2(RoundPen& pen, std::span<const Point> line, const PixelBox& clip, MaskTiles& tiles);
+/// One segment of such a line. Pre: `step` is its step.
+BURIN_AVX2 void cover_segment_avx2(const RoundPen& pen, const RoundStep& step, const RoundSegment& segment,
+                                   const PixelBox& clip, MaskTiles& tiles);
 BURIN_AVX2 void count_avx2(const MaskTiles::Tile& masks, std::uint8_t* counts);
 
 // One vector has the eight rows of samples of a pixel. In each row a shape covers the columns between two bounds, which
@@ -84,15 +88,17 @@ struct SampleWords {
 
 inline constexpr SampleWords sample_words;
 
-/// The samples between both bounds. `certain` is set to whether they are sure. Pre: the bounds are within 2^31.
-BURIN_AVX2 inline Samples samples_between(const Bounds& bounds, const SampleWords& words, bool& certain) {
+/// The samples between both bounds. `certain` is set to whether they are sure: no bound is near a column, and
+/// `uncertain` is zero. Pre: the bounds are within 2^31.
+BURIN_AVX2 inline Samples samples_between(const Bounds& bounds, const SampleWords& words, __m256i uncertain,
+                                          bool& certain) {
   const __m256i low = _mm256_cvtps_epi32(bounds.low);
   const __m256i high = _mm256_cvtps_epi32(bounds.high);
   // In each half: four low bounds, four high ones.
   const __m256i both =
       _mm256_max_epi16(_mm256_min_epi16(_mm256_packs_epi32(low, high), load(words.most)), load(words.least));
   const __m256i past_column = _mm256_and_si256(_mm256_add_epi16(both, load(words.two)), load(words.fraction));
-  const __m256i is_near = _mm256_cmpgt_epi16(load(words.four), past_column);
+  const __m256i is_near = _mm256_or_si256(_mm256_cmpgt_epi16(load(words.four), past_column), uncertain);
   certain = _mm256_testz_si256(is_near, is_near) != 0;
   const __m256i columns = _mm256_srai_epi16(both, 12);
   const __m256i index = _mm256_and_si256(_mm256_packs_epi16(columns, columns), load(words.low_bits));

@@ -91,7 +91,7 @@ class SegmentKernel {
                             _mm256_add_ps(_mm256_permute_ps(twice, 0xAA), ramp_other_));
     all.high = _mm256_min_ps(_mm256_add_ps(_mm256_permute_ps(twice, 0x55), ramp_one_),
                              _mm256_add_ps(_mm256_permute_ps(twice, 0xFF), ramp_other_));
-    return samples_between(within_range(all), sample_words, certain);
+    return samples_between(within_range(all), sample_words, _mm256_setzero_si256(), certain);
   }
 
  private:
@@ -152,14 +152,12 @@ class DiscKernel {
     const __m256 across = _mm256_sub_ps(rows, _mm256_set1_ps(static_cast<float>(row)));
     const __m256 left = _mm256_sub_ps(radius_squared_, _mm256_mul_ps(across, across));
     const __m256 size = _mm256_andnot_ps(_mm256_set1_ps(-0.0F), left);
-    const int near_border = _mm256_movemask_ps(_mm256_cmp_ps(size, uncertain_below_, _CMP_LE_OQ));
+    const __m256i uncertain = _mm256_castps_si256(_mm256_cmp_ps(size, uncertain_below_, _CMP_LE_OQ));
     // A row outside has bounds that are equal: nothing lies between them.
     const __m256 half = _mm256_sqrt_ps(_mm256_max_ps(left, _mm256_setzero_ps()));
     const __m256 middle = _mm256_set1_ps(static_cast<float>(column));
-    const Samples found = samples_between(within_range({_mm256_sub_ps(middle, half), _mm256_add_ps(middle, half)}),
-                                          sample_words, certain);
-    certain = certain && near_border == 0;
-    return found;
+    return samples_between(within_range({_mm256_sub_ps(middle, half), _mm256_add_ps(middle, half)}), sample_words,
+                           uncertain, certain);
   }
 
  private:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <burin/output/raster/kernel.hpp>
 #include <burin/output/raster/polygon_fill.hpp>
 
@@ -14,7 +16,8 @@ class Ink {
       : kernel_(&kernel), tiles_(part, memory_, share) {}
 
   void add(const Convex& shape) { kernel_->cover(shape, tiles_.part(), tiles_); }
-  void add(RoundPen& pen, const RoundSegment& segment) { kernel_->cover_round(pen, segment, tiles_.part(), tiles_); }
+  /// As Kernel::cover_round.
+  void add(RoundPen& pen, std::span<const Point> line) { kernel_->cover_round(pen, line, tiles_.part(), tiles_); }
   void add(PolygonFill& polygon, bool evenodd) { polygon.fill(evenodd, tiles_.part(), tiles_); }
 
   const Kernel& kernel() const { return *kernel_; }

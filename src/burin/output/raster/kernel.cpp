@@ -22,9 +22,12 @@ void cover_portable(const Convex& shape, const PixelBox& clip, MaskTiles& tiles)
   }
 }
 
-void cover_round_portable(RoundPen& pen, const RoundSegment& segment, const PixelBox& clip, MaskTiles& tiles) {
-  cover_portable(body_of(segment, pen.half_width), clip, tiles);
-  cover_portable(disc_of(segment, pen.half_width), clip, tiles);
+void cover_round_portable(RoundPen& pen, std::span<const Point> line, const PixelBox& clip, MaskTiles& tiles) {
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    if (line[k] == line[k - 1]) continue;
+    cover_portable(segment_body(line[k - 1], line[k], pen.half_width), clip, tiles);
+    cover_portable(disc(line[k - 1], pen.half_width), clip, tiles);
+  }
 }
 
 void count_portable(const MaskTiles::Tile& masks, std::uint8_t* counts) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include <burin/output/raster/convex.hpp>
 #include <burin/output/raster/mask_tiles.hpp>
@@ -13,8 +14,9 @@ namespace burin::output::raster {
 struct Kernel {
   /// Adds the samples of `shape` in the part that the tiles cover and in `clip` to the tiles.
   void (*cover)(const Convex& shape, const PixelBox& clip, MaskTiles& tiles);
-  /// Adds a RoundSegment with the width of `pen`.
-  void (*cover_round)(RoundPen& pen, const RoundSegment& segment, const PixelBox& clip, MaskTiles& tiles);
+  /// Adds a line with round joins, as wide as `pen`: the body of each segment and the discs about all points but the
+  /// last. What the disc about that one has besides, it may add or not. Points may fall together.
+  void (*cover_round)(RoundPen& pen, std::span<const Point> line, const PixelBox& clip, MaskTiles& tiles);
   /// How many samples each pixel of a tile has, 0 to 64.
   void (*count)(const MaskTiles::Tile& masks, std::uint8_t* counts);
 };

@@ -57,6 +57,7 @@ class Tiles {
   }
   /// Pre: i is not negative, as no pixel of the page is.
   static constexpr int end_of_tile(int i) { return (i | (width - 1)) + 1; }
+  static constexpr int end_of_tile_row(int j) { return (j | (height - 1)) + 1; }
 
   /// Forgets what the tile holds; its memory serves the next.
   void release(int column, int row) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <burin/geom/clip.hpp>
@@ -9,6 +10,7 @@ namespace burin::output::raster {
 namespace {
 
 constexpr double most_pixels = 131072.0;
+constexpr std::size_t most_at_once = 256;
 
 double cross_of(Point a, Point b) {
   return static_cast<double>(a.x) * b.y - static_cast<double>(a.y) * b.x;
@@ -73,7 +75,34 @@ void PathStroker::to(Vec2 p) {
 }
 
 void PathStroker::to(std::span<const Vec2> points, double scale) {
-  for (const Vec2 p : points) to(device_point(p, scale));
+  while (!points.empty()) {
+    const std::size_t count = std::min(points.size(), most_at_once);
+    const std::span<const Vec2> next = points.first(count);
+    if (!round_line_to(next, scale)) {
+      for (const Vec2 p : next) to(device_point(p, scale));
+    }
+    points = points.subspan(count);
+  }
+}
+
+/// to() for a few points of a line with round joins and caps that are all in the box; false, and nothing, for others.
+bool PathStroker::round_line_to(std::span<const Vec2> points, double scale) {
+  if (!started_ || !inside_ || !is_round()) return false;
+  Box2 reach;
+  for (const Vec2 p : points) reach.add(device_point(p, scale));
+  if (!(box_.contains(reach.low) && box_.contains(reach.high))) return false;
+  std::array<Point, 1 + most_at_once> line;
+  line[0] = last_;
+  for (std::size_t k = 0; k < points.size(); ++k) line[k + 1] = nearest_point(device_point(points[k], scale));
+  const std::span<const Point> all = std::span(line).first(points.size() + 1);
+  if (std::any_of(all.begin(), all.end(), [&](Point p) { return !(p == last_); })) {
+    ink_.add(pen_, all);
+    moved_ = true;
+    run_length_ = 2;
+  }
+  last_ = all.back();
+  exact_ = device_point(points.back(), scale);
+  return true;
 }
 
 void PathStroker::end(Vec2 direction) {
@@ -81,7 +110,7 @@ void PathStroker::end(Vec2 direction) {
     if (inside_) dot(last_, direction);
   } else if (closed_) {
     close();
-  } else if (run_length_ == 2 && !is_round()) {
+  } else if (run_length_ == 2) {
     cap(last_, before_);
   }
 }
@@ -96,7 +125,7 @@ void PathStroker::step(Point p) {
   moved_ = true;
   if (can_show(last_, p)) {
     if (is_round()) {
-      ink_.add(pen_, {last_, p});
+      ink_.add(pen_, std::array{last_, p});
     } else {
       ink_.add(segment_body(last_, p, half_width_));
     }
@@ -106,7 +135,7 @@ void PathStroker::step(Point p) {
   } else if (run_is_first_) {
     second_ = p;
     has_second_ = true;
-    if (!closed_) cap(last_, p);
+    if (!closed_ && !is_round()) cap(last_, p);
   }
   before_ = last_;
   last_ = p;

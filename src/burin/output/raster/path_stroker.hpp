@@ -34,7 +34,7 @@ class PathStroker {
   /// begin to+ end. In pixels.
   void begin(bool closed);
   void to(Vec2 p);
-  /// The same for many points, each times `scale`.
+  /// The same for many points, each times `scale`, faster.
   void to(std::span<const Vec2> points, double scale);
   /// `direction`: how a square dot lies.
   void end(Vec2 direction = {1.0, 0.0});
@@ -42,8 +42,9 @@ class PathStroker {
  private:
   void enter(Vec2 at);
   void step(Point p);
+  bool round_line_to(std::span<const Vec2> points, double scale);
   void close();
-  /// Each segment then has the disc about its end with it: all caps and joins but the cap of an open line's start.
+  /// Each segment then has the disc about its start with it: all caps and joins but the cap of an open line's end.
   bool is_round() const { return style_.cap == Cap::round && style_.join == Join::round; }
   bool can_show(Point a, Point b) const;
   void cap(Point end, Point inner);

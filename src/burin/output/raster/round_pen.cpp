@@ -60,13 +60,17 @@ RoundStep::RoundStep(Point step_of_segment, double half_width) : step(step_of_se
   }
 }
 
-RoundPen::RoundPen(double half_width_units) : half_width(half_width_units) {
+RoundPen::RoundPen(double half_width_units)
+    : half_width(half_width_units), whole_radius(static_cast<int>(half_width_units)) {
   const double squared_unit = fixed_point * fixed_point;
   squared_radius = static_cast<float>(half_width * half_width / squared_step * squared_unit);
   // Rounding of the square shifts the root by less than half a step above this.
   const double radius = half_width * columns_per_unit;
   const double rounding = (8.0 * radius + 48.0) * radius * (squared_unit * 0x1p-24);
   uncertain_below = static_cast<float>(rounding * (rounding + 1.0));
+  constexpr double whole_units = squared_step / fixed_point;
+  whole_squared_radius = static_cast<float>(half_width * half_width * squared_step);
+  whole_uncertain_below = static_cast<float>(rounding * (rounding + 1.0) * (whole_units * whole_units));
 }
 
 }  // namespace burin::output::raster

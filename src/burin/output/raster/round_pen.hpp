@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
+#include <burin/output/raster/body_table.hpp>
 #include <burin/output/raster/convex.hpp>
 
 namespace burin::output::raster {
@@ -13,12 +15,13 @@ inline constexpr double squared_step = column_x * column_x + column_y * column_y
 /// Parts of a column that the vector kernels count bounds in.
 inline constexpr double fixed_point = 4096.0;
 
-/// What a segment adds to a stroke with round joins and caps: its body, and the disc about its end. Most strokes of
-/// most drawings are made of these, and most of them are short: the kernels have a way of their own for them. What the
-/// disc about its start has besides, a kernel may add or not: the segment before adds it, or the stroke's first cap.
+/// What a segment adds to a stroke with round joins and caps: its body, and the disc about one of its ends. Most
+/// strokes of most drawings are made of these, and most of them are short: the kernels have ways of their own for them.
+/// What the disc about its other end has besides, a kernel may add or not: the next segment adds it, or the stroke's
+/// cap.
 struct RoundSegment {
   Point from;
-  Point to;  ///< another point than `from`
+  Point to;  ///< the disc's centre; another point than `from`
 };
 
 /// Numbers of all segments with the same step from end to end, for the vector kernels.
@@ -41,6 +44,11 @@ struct RoundStep {
   int bottom = 0;
   float x_per_y = 0.0F;     ///< of the segment
   float half_level = 0.0F;  ///< half of what its strip covers of a level line; huge when it is level itself
+
+  /// Then a table would have paid already.
+  static constexpr int uses_for_table = 100;
+  int uses = 0;
+  std::unique_ptr<BodyTable> table;  ///< null: none
 };
 
 /// Draws round segments of one width. It keeps what it has computed of the last steps: curves repeat a few.
@@ -48,8 +56,12 @@ struct RoundPen {
   explicit RoundPen(double half_width_units);
 
   double half_width;
+  int whole_radius;       ///< the half width without its fraction
   float squared_radius;   ///< in columns of samples, as the vector kernels count them
   float uncertain_below;  ///< a square so small may as well be none
+  // Both in the unit in which positions in columns are whole numbers.
+  float whole_squared_radius;
+  float whole_uncertain_below;
   std::array<RoundStep, 256> steps{};
 
   /// Where the numbers of a step are kept.
@@ -59,12 +71,5 @@ struct RoundPen {
     return steps[mix >> 24U];
   }
 };
-
-inline Convex body_of(const RoundSegment& segment, double half_width) {
-  return segment_body(segment.from, segment.to, half_width);
-}
-inline Convex disc_of(const RoundSegment& segment, double half_width) {
-  return disc(segment.to, half_width);
-}
 
 }  // namespace burin::output::raster

@@ -72,17 +72,9 @@ BURIN_AVX2 inline Samples samples_of(const PixelNumbers& numbers, const StepLane
   const __m256 half = _mm256_sqrt_ps(disc);
   const __m256 low = _mm256_min_ps(_mm256_xor_ps(half, sign), _mm256_blendv_ps(low_body, load(numbers.far), body));
   const __m256 high = _mm256_max_ps(half, _mm256_blendv_ps(high_body, load(numbers.before_all), body));
-  const Samples found =
-      samples_between({_mm256_add_ps(low, middle), _mm256_add_ps(high, middle)}, numbers.words, certain);
-  certain = certain && _mm256_testz_ps(is_near, is_near) != 0;
-  return found;
+  return samples_between({_mm256_add_ps(low, middle), _mm256_add_ps(high, middle)}, numbers.words,
+                         _mm256_castps_si256(is_near), certain);
 }
-
-/// The pixel that a position is in.
-constexpr int pixel_of(int units) {
-  return units >> 10;
-}
-static_assert(units_per_pixel == 1 << 10);
 
 /// What a segment may reach of some rows of pixels: the columns [begin, end).
 struct RowSpans {
@@ -114,26 +106,18 @@ BURIN_AVX2 inline RowSpans spans_from(int top, const RoundStep& step, Point to, 
 }
 
 __attribute__((noinline)) Samples exact_samples(const RoundSegment& segment, double half_width, int i, int j) {
-  return exact_samples_avx2(body_of(segment, half_width), i, j) |
-         exact_samples_avx2(disc_of(segment, half_width), i, j);
+  return exact_samples_avx2(segment_body(segment.from, segment.to, half_width), i, j) |
+         exact_samples_avx2(disc(segment.to, half_width), i, j);
 }
 
 }  // namespace
 
-BURIN_AVX2 void cover_round_avx2(RoundPen& pen, const RoundSegment& segment, const PixelBox& clip, MaskTiles& tiles) {
+BURIN_AVX2 void cover_segment_avx2(const RoundPen& pen, const RoundStep& step, const RoundSegment& segment,
+                                   const PixelBox& clip, MaskTiles& tiles) {
   const Point to = segment.to;
-  // All around both discs: most segments are in rows of one painter only.
-  const int reach = static_cast<int>(pen.half_width) + 2;
-  if (!tiles.share().has_any(pixel_of(std::min(segment.from.y, to.y) - reach),
-                             pixel_of(std::max(segment.from.y, to.y) + reach) + 1)) {
-    return;
-  }
-  const Point vector = to - segment.from;
-  RoundStep& step = pen.slot(vector);
-  if (!(step.step == vector)) step = RoundStep(vector, pen.half_width);
   if (!step.suits) {
-    cover_avx2(body_of(segment, pen.half_width), clip, tiles);
-    return cover_avx2(disc_of(segment, pen.half_width), clip, tiles);
+    cover_avx2(segment_body(segment.from, segment.to, pen.half_width), clip, tiles);
+    return cover_avx2(disc(segment.to, pen.half_width), clip, tiles);
   }
   const int top = std::max(clip.top, pixel_of(to.y + step.top));
   const int bottom = std::min(clip.bottom, pixel_of(to.y + step.bottom) + 1);

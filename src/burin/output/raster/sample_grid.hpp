@@ -14,6 +14,12 @@ namespace burin::output::raster {
 /// Positions are whole 1/1024 pixels, from the page's top left corner, y down.
 inline constexpr int units_per_pixel = 1024;
 
+/// The column or row of pixels that a position is in.
+constexpr int pixel_of(int units) {
+  return units >> 10;
+}
+static_assert(units_per_pixel == 1 << 10);
+
 struct Point {
   std::int32_t x = 0;
   std::int32_t y = 0;

@@ -77,13 +77,13 @@ int wrong_pixels(const Kernel& kernel, RoundPen& pen, const RoundSegment& segmen
   constexpr PixelBox small{0, 0, 32, 24};
   TileMemory memory;
   MaskTiles tiles(small, memory);
-  kernel.cover_round(pen, segment, small, tiles);
+  kernel.cover_round(pen, std::array{segment.to, segment.from}, small, tiles);
   int wrong = 0;
   for (int j = 0; j < small.bottom; ++j) {
     for (int i = 0; i < small.right; ++i) {
       const Samples found = *tiles.at(i, j, 0);
-      const Samples needed =
-          samples_in(body_of(segment, pen.half_width), i, j) | samples_in(disc_of(segment, pen.half_width), i, j);
+      const Samples needed = samples_in(segment_body(segment.from, segment.to, pen.half_width), i, j) |
+                             samples_in(disc(segment.to, pen.half_width), i, j);
       const Samples allowed = needed | samples_in(disc(segment.from, pen.half_width), i, j);
       wrong += (needed & ~found) != 0 || (found & ~allowed) != 0 ? 1 : 0;
     }
