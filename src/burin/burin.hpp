@@ -15,7 +15,8 @@
 ///   const auto plan = burin::load({"snowflake.toml", text}, {.knobs = {{"levels", "3"}}, .seed = 7});
 ///   if (!plan) return fail(burin::problems_text(plan.problems()));   // file:line:col: error: ...
 ///   const auto svg = burin::to_svg(*plan);                           // Result<std::string>
-///   plan->run(sink, {});                                             // or into a PathSink of your own
+///   plan->run(sink, {});                                             // or into a PathSink: a Recorder, a PointStore,
+///                                                                   // or one of your own
 ///
 /// Nothing here opens a file, reads a clock or keeps state. A Plan is const and can be drawn from several threads.
 namespace burin {

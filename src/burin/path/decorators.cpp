@@ -10,9 +10,13 @@ Flow Mapped::points(std::span<const Vec2> points) {
   constexpr std::size_t at_once = 1024;
   while (!points.empty()) {
     const std::size_t count = std::min(points.size(), at_once);
-    if (mapped_.size() < count) mapped_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) mapped_[i] = map_(points[i]);
-    if (next().points(std::span(mapped_).first(count)) == Flow::stop) return Flow::stop;
+    Vec2* room = next().room_for(count);
+    if (room == nullptr) {
+      if (mapped_.size() < count) mapped_.resize(count);
+      room = mapped_.data();
+    }
+    for (std::size_t i = 0; i < count; ++i) room[i] = map_(points[i]);
+    if (next().points({room, count}) == Flow::stop) return Flow::stop;
     points = points.subspan(count);
   }
   return Flow::go;

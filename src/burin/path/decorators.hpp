@@ -14,7 +14,7 @@
 /// Sinks that hold a sink: each does one thing to what passes through. All are O(1) in memory.
 namespace burin {
 
-/// Passes every call on; the others override what they change.
+/// Passes every call on but room_for, for most change the points or keep them; the others override what they change.
 class Decorator : public PathSink {
  public:
   explicit Decorator(PathSink& next) : next_(next) {}
@@ -52,6 +52,7 @@ class Relabelled final : public Decorator {
  public:
   Relabelled(PathSink& next, const PathHead& head) : Decorator(next), head_(head) {}
   Flow begin(const PathHead& head) override;
+  Vec2* room_for(std::size_t count) override { return next().room_for(count); }
   Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
 
  private:
@@ -65,6 +66,7 @@ class Painted final : public Decorator {
  public:
   Painted(PathSink& next, LayerId layer, Paint paint) : Decorator(next), layer_(layer), paint_(paint) {}
   Flow begin(const PathHead& head) override { return next().begin(painted(head)); }
+  Vec2* room_for(std::size_t count) override { return next().room_for(count); }
   Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override {
     return next().place(painted(head), figure, at);
   }
@@ -86,6 +88,7 @@ class Counted final : public Decorator {
   using Decorator::Decorator;
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
+  Vec2* room_for(std::size_t count) override { return next().room_for(count); }
   Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
   std::uint64_t paths() const { return paths_; }
   std::uint64_t point_count() const { return points_; }
@@ -101,6 +104,7 @@ class Stoppable final : public Decorator {
   Stoppable(PathSink& next, std::stop_token stop) : Decorator(next), stop_(std::move(stop)) {}
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
+  Vec2* room_for(std::size_t count) override { return next().room_for(count); }
   Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;
 
  private:
@@ -115,6 +119,7 @@ class Checked final : public Decorator {
   ~Checked() override;
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
+  Vec2* room_for(std::size_t count) override { return next().room_for(count); }
   Flow contour() override;
   Flow end() override;
   Flow place(const PathHead& head, const Figure& figure, const Affine2& at) override;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -29,7 +30,7 @@ struct PathHead {
   friend bool operator==(const PathHead&, const PathHead&) = default;
 };
 
-/// Receives a drawing as it is made: (begin points+ [contour points+]* end | place)*.
+/// Receives a drawing as it is made: (begin points+ [contour points+]* end | place)*, and room_for before any of them.
 ///
 /// Layers come in ascending order. A span is valid during the call only. Every point is finite; a contour has at least
 /// one point (one point alone is a dot). A sink needs O(1) state unless it says otherwise. Which space the points are
@@ -46,6 +47,11 @@ class PathSink {
   /// Starts the next contour of the same path (a ring, an icon).
   [[nodiscard]] virtual Flow contour() = 0;
   [[nodiscard]] virtual Flow end() = 0;
+
+  /// Memory of the sink's own where the next `count` points may be written before they are handed to points(), which
+  /// then need not copy them: for a big drawing the copy costs more than the points. It is lent until the next call.
+  /// The default, null, lends none; a sink that hands on the very points it takes may lend what the next one lends.
+  [[nodiscard]] virtual Vec2* room_for(std::size_t count);
 
   /// Draws a figure with its points mapped by `at`. The default expands it into the four calls above; a sink that can
   /// name figures overrides it. The head's `closed` and `paint` are the figure's own, path by path.

@@ -90,6 +90,10 @@ Flow replay(const Recording& recording, PathSink& sink) {
   return Flow::go;
 }
 
+Vec2* PathSink::room_for(std::size_t) {
+  return nullptr;
+}
+
 Flow PathSink::place(const PathHead& head, const Figure& figure, const Affine2& at) {
   Relabelled relabelled(*this, head);
   Mapped mapped(relabelled, at);

@@ -6,6 +6,7 @@
 
 #include <burin/base/random.hpp>
 #include <burin/path/decorators.hpp>
+#include <burin/path/point_store.hpp>
 
 #include "support/curve_summary.hpp"
 #include "support/json_value.hpp"
@@ -198,6 +199,10 @@ TEST(FamilyContract, EveryFamilyKeepsItForEveryCase) {
         const Forecast forecast = family.forecast(*read.params, context, 1e9);
         EXPECT_EQ(forecast.points, static_cast<double>(first.all_points().size()));
         EXPECT_TRUE(forecast.exact);
+        std::vector<Vec2> memory(first.all_points().size());
+        PointStore store(memory);
+        EXPECT_EQ(family.draw(*read.params, context, store), Flow::go);
+        EXPECT_EQ(memory, first.all_points());
         const std::optional<Box2> box = family.bounds(*read.params, context, {});
         ASSERT_TRUE(box.has_value());
         const Box2 drawn = first.bounds();

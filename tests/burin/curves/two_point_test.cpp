@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <burin/base/random.hpp>
+#include <burin/curves/family.hpp>
 #include <burin/curves/two_point/placed_points.hpp>
+#include <burin/path/point_store.hpp>
 
 #include "support/curve_summary.hpp"
 #include "support/json_value.hpp"
@@ -49,6 +51,25 @@ TEST(TwoPoint, PointsOfATableArePlacedByTheFormulaToTheBit) {
     two_point::place_points(table, p, d, room.data());
     for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(room[k], p + complex_product(table[k], d)) << k;
     EXPECT_EQ(room[count], (Vec2{7.0, 7.0}));
+  }
+}
+
+TEST(TwoPoint, PointsInMemoryAreThoseOfTheDrawingToTheBit) {
+  // Blocks of 1024, 1024, 729 and 324 edges, which end now here, now there in the spans of a drawing.
+  for (const std::string motif : {"koch", "dragon", "terdragon", "quad18"}) {
+    for (const std::string base : {"segment", "square"}) {
+      for (int levels = 0; levels <= (motif == "quad18" ? 4 : 9); ++levels) {
+        const TwoPointParams params = two_point(R"({"motif": ")" + motif + R"(", "base": ")" + base +
+                                                R"(", "levels": )" + std::to_string(levels) + "}");
+        const std::vector<Vec2> drawn = draw_points(params);
+        for (const std::size_t start : {0U, 1U}) {
+          std::vector<Vec2> memory(start + drawn.size());
+          PointStore store{std::span(memory).subspan(start)};
+          ASSERT_EQ(find_family("two-point")->draw(params, {}, store), Flow::go);
+          EXPECT_TRUE(std::ranges::equal(store.stored(), drawn)) << motif << ' ' << base << ' ' << levels;
+        }
+      }
+    }
   }
 }
 
