@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <burin/base/executor.hpp>
 #include <burin/output/png_picture.hpp>
 
 namespace burin::output {
@@ -12,10 +13,12 @@ namespace burin::output {
 /// Writes row j of a page, PngHead::bytes_per_row() bytes.
 using ReadRow = std::function<void(std::uint32_t j, std::uint8_t* bytes)>;
 
-/// A whole page as a PNG file of 8 bits a channel: a mostly blank one through RowDeflater, row by row, others through
-/// stb_image_write and libdeflate, with the page in memory. Rows are read from the top, once or twice. Nothing: there
-/// is no memory for it. Pre: below 2^31 bytes.
-std::optional<std::string> png_page(const PngHead& head, const ReadRow& read_row);
+/// A whole page as a PNG file of 8 bits a channel: a mostly blank one through RowDeflater, row by row; others through
+/// libdeflate, small ones at once by stb_image_write, larger ones in stripes of rows, each a task of the executor. Rows
+/// are read once or twice, at any time by the tasks. The bytes are the same for every executor. Nothing: there is no
+/// memory for it. Pre: below 2^31 bytes.
+std::optional<std::string> png_page(const PngHead& head, const ReadRow& read_row,
+                                    const Executor& executor = SerialExecutor());
 
 /// The same of a page in memory: all rows from the top, one behind the other.
 std::optional<std::string> png_page(const PngHead& head, const std::vector<std::uint8_t>& bytes);

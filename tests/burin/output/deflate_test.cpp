@@ -34,5 +34,34 @@ TEST(Deflater, ZlibReadsBackEveryBlock) {
   }
 }
 
+TEST(Deflater, PiecesMakeAStream) {
+  output::Deflater deflate(6);
+  std::string bytes;
+  std::string stream(output::zlib_start);
+  std::uint32_t checksum = output::adler32_of({});
+  std::uint32_t dice = 5;
+  for (const std::size_t size : {1U, 0U, 7U, 100U, 30'000U, 300'000U, 70'000U, 31U, 32U, 33U}) {
+    std::string some;
+    while (some.size() < size) some += static_cast<char>((dice = dice * 1664525U + 1013904223U) >> 29U);
+    stream += deflate.piece(some);
+    checksum = output::joint_adler32(checksum, output::adler32_of(some), some.size());
+    bytes += some;
+    EXPECT_EQ(checksum, output::adler32_of(bytes)) << size;
+    EXPECT_EQ(inflated(stream + output::zlib_end(checksum), bytes.size()), bytes) << size;
+  }
+}
+
+TEST(Deflater, PiecesMayEndAtAnyBit) {
+  // Of one byte more each: the ends of their blocks take all places in a byte.
+  output::Deflater deflate(6);
+  for (std::size_t size = 0; size < 400; ++size) {
+    std::string some;
+    for (std::size_t k = 0; k < size; ++k) some += static_cast<char>(k * k % 61);
+    std::string stream(output::zlib_start);
+    for (int k = 0; k < 2; ++k) stream += deflate.piece(some);
+    EXPECT_EQ(inflated(stream + output::zlib_end(output::adler32_of(some + some)), 2 * size), some + some) << size;
+  }
+}
+
 }  // namespace
 }  // namespace burin

@@ -175,8 +175,10 @@ void RasterPng::write_page() {
     had_memory_ = rows.finish() || !ok_;
     return;
   }
-  const std::optional<std::string> file =
-      png_page(head_, [&](std::uint32_t j, std::uint8_t* row) { read_row(static_cast<int>(j), row); });
+  const SerialExecutor serial;
+  const std::optional<std::string> file = png_page(
+      head_, [&](std::uint32_t j, std::uint8_t* row) { read_row(static_cast<int>(j), row); },
+      workers_.count > 1 ? *workers_.executor : serial);
   had_memory_ = file.has_value();
   if (file) write(*file);
 }

@@ -12,7 +12,7 @@ namespace burin::output {
 /// paper and every pen are, a palette when the page has few colours, else RGB; with the chunks of png_chunks().
 ///
 /// A page of up to 16 million pixels is drawn at once: memory is about 1.5 kB for each tile of 16 x 8 pixels with ink
-/// and 2 to 7 bytes a pixel while the file is put together. Larger ones are drawn in bands of 3 million pixels, each in
+/// and twice the file while it is put together. Larger ones are drawn in bands of 3 million pixels, each in
 /// a run of its own, and never need more than 64 MB, whatever their size.
 BackEnd png_back_end();
 

@@ -1,6 +1,3 @@
-#include <functional>
-#include <thread>
-
 #include <gtest/gtest.h>
 
 #include <burin/output/back_ends.hpp>
@@ -9,6 +6,7 @@
 #include "decoded_png.hpp"
 #include "support/failing_sink.hpp"
 #include "support/random_paths.hpp"
+#include "support/threads.hpp"
 
 namespace burin::test {
 namespace {
@@ -191,16 +189,6 @@ TEST(NativePng, HasTheSamePixelsInBandsAndWithEveryKernel) {
     EXPECT_EQ(decoded_png(bands).rgb, decoded_png(whole).rgb) << pixels;
   }
 }
-
-/// Every task on a thread of its own.
-class Threads final : public Executor {
- public:
-  void run(std::size_t count, const std::function<void(std::size_t)>& task) const override {
-    std::vector<std::thread> threads;
-    for (std::size_t k = 0; k < count; ++k) threads.emplace_back(task, k);
-    for (std::thread& thread : threads) thread.join();
-  }
-};
 
 /// Strokes, dashes and fills in three layers, of more points than are kept at once.
 std::vector<DrawnPath> many_points() {
