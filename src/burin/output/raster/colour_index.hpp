@@ -12,8 +12,6 @@ namespace burin::output::raster {
 /// The colours of a picture, numbered as they are met, up to 256.
 class ColourIndex {
  public:
-  ColourIndex() { slots_.fill(free_slot); }
-
   /// The number of a colour, a new one if need be. Nothing: there are 256 others.
   std::optional<std::uint8_t> add(Rgb rgb);
 
@@ -21,15 +19,28 @@ class ColourIndex {
   bool add(std::span<const Rgb> pixels);
 
   /// The numbers of some pixels; what comes behind them. Pre: all of them have been added.
-  std::uint8_t* translate(std::span<const Rgb> pixels, std::uint8_t* numbers);
+  std::uint8_t* translate(std::span<const Rgb> pixels, std::uint8_t* numbers) const;
 
   const std::vector<Colour>& colours() const { return colours_; }
 
  private:
-  static constexpr std::uint16_t free_slot = 256;
+  /// A taken slot that has another colour sends on to the next.
+  struct Slot {
+    Rgb rgb = no_colour;
+    std::uint8_t number = 0;
+  };
+
+  /// Where a colour is, or belongs.
+  std::size_t place_of(Rgb rgb) const {
+    std::size_t place = (rgb * 0x9E3779B1U) >> 22U;
+    while (slots_[place].rgb != rgb && slots_[place].rgb != no_colour) place = (place + 1) % slots_.size();
+    return place;
+  }
+
+  static constexpr Rgb no_colour = 0xFF000000;
 
   std::vector<Colour> colours_;
-  std::array<std::uint16_t, 1024> slots_;  ///< numbers by a hash of the colour; a taken slot sends on to the next
+  std::array<Slot, 1024> slots_;  ///< by a hash of the colour
 };
 
 }  // namespace burin::output::raster
