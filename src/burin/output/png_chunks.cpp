@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include <burin/output/deflate.hpp>
 #include <burin/output/origin_text.hpp>
 #include <burin/output/png_chunks.hpp>
 
@@ -57,6 +58,11 @@ std::string big_endian(std::uint32_t number) {
     bytes += static_cast<char>(number >> shift & 0xFFU);
   }
   return bytes;
+}
+
+std::string chunk_bytes(const PngChunk& chunk) {
+  const std::string checked = chunk.type + chunk.data;
+  return big_endian(static_cast<std::uint32_t>(chunk.data.size())) + checked + big_endian(crc32_of(checked));
 }
 
 std::vector<PngChunk> png_chunks(const Origin& origin, double dots_per_mm) {

@@ -18,6 +18,9 @@ struct PngChunk {
 /// Description, Software and burin-origin (the origin's record). Texts of Latin-1 go into tEXt, others into iTXt.
 std::vector<PngChunk> png_chunks(const Origin& origin, double dots_per_mm);
 
+/// A chunk as it stands in a file: with its length and its checksum.
+std::string chunk_bytes(const PngChunk& chunk);
+
 /// The four bytes of a number, as PNG has them.
 std::string big_endian(std::uint32_t number);
 

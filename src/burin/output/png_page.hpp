@@ -1,17 +1,13 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <burin/base/executor.hpp>
-#include <burin/output/png_picture.hpp>
+#include <burin/output/png_stripes.hpp>
 
 namespace burin::output {
-
-/// Writes row j of a page, PngHead::bytes_per_row() bytes.
-using ReadRow = std::function<void(std::uint32_t j, std::uint8_t* bytes)>;
 
 /// A whole page as a PNG file of 8 bits a channel: a mostly blank one through RowDeflater, row by row; others through
 /// libdeflate, small ones at once by stb_image_write, larger ones in stripes of rows, each a task of the executor. Rows

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <burin/output/png_chunks.hpp>
@@ -26,6 +29,15 @@ struct PngHead {
 
   std::size_t bytes_per_row() const { return std::size_t{width} * (pixels == PngPixels::rgb ? 3 : 1); }
 };
+
+/// Takes all of the bytes, or is false from then on.
+using WriteBytes = std::function<bool(std::string_view bytes)>;
+
+/// Writes row j of a page, PngHead::bytes_per_row() bytes.
+using ReadRow = std::function<void(std::uint32_t j, std::uint8_t* bytes)>;
+
+/// All of a file of 8 bits a channel before its pixels.
+std::string file_head(const PngHead& head);
 
 /// A page in whole pixels; doubles, since it may be too large for anything else.
 struct PngSize {

@@ -9,9 +9,6 @@
 
 namespace burin::output {
 
-/// Takes all of the bytes, or is false from then on.
-using WriteBytes = std::function<bool(std::string_view bytes)>;
-
 /// Writes a PNG row by row through libpng, in constant memory. Few colours in a palette are packed into 1, 2 or 4 bits.
 class PngRows {
  public:

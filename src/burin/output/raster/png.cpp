@@ -11,6 +11,7 @@
 #include <burin/base/number_text.hpp>
 #include <burin/output/png_page.hpp>
 #include <burin/output/png_rows.hpp>
+#include <burin/output/png_stripes.hpp>
 #include <burin/output/raster/colour_index.hpp>
 #include <burin/output/raster/painter_team.hpp>
 #include <burin/output/raster/png.hpp>
@@ -56,6 +57,7 @@ class RasterPng final : public OutputSink {
   void begin_band(int top);
   bool write(std::string_view bytes) { return ok_ = ok_ && bytes_.write(bytes); }
   bool is_whole_page() const { return band_.height() == static_cast<int>(head_.height); }
+  const Executor& executor() const;
   void choose_format();
   void read_row(int j, std::uint8_t* bytes);
   void write_page();
@@ -70,7 +72,7 @@ class RasterPng final : public OutputSink {
   PixelBox band_;
   std::optional<PainterTeam> painters_;
   raster::Workers workers_;
-  std::unique_ptr<PngRows> rows_;  ///< for several bands
+  std::unique_ptr<PngStripes> stripes_;  ///< for several bands
   raster::ColourIndex index_;
   bool ok_ = true;
   bool had_memory_ = true;
@@ -117,12 +119,17 @@ Result<Done> RasterPng::finish() {
       write_page();
     } else {
       write_band();
-      had_memory_ = rows_->finish() || !ok_;
+      stripes_->finish();
     }
   }
   if (!ok_) return Problem{{}, "the PNG could not be written: " + bytes_.failure(), Trouble::output};
   if (!had_memory_) return Problem{{}, "there is not enough memory to draw the PNG", Trouble::limit};
   return Done{};
+}
+
+const Executor& RasterPng::executor() const {
+  static const SerialExecutor serial;
+  return workers_.count > 1 ? *workers_.executor : serial;
 }
 
 /// By the colours of the whole page.
@@ -175,17 +182,16 @@ void RasterPng::write_page() {
     had_memory_ = rows.finish() || !ok_;
     return;
   }
-  const SerialExecutor serial;
   const std::optional<std::string> file = png_page(
       head_, [&](std::uint32_t j, std::uint8_t* row) { read_row(static_cast<int>(j), row); },
-      workers_.count > 1 ? *workers_.executor : serial);
+      executor());
   had_memory_ = file.has_value();
   if (file) write(*file);
 }
 
 /// A band; the first fixes the format by what colours there can be.
 void RasterPng::write_band() {
-  if (rows_ == nullptr) {
+  if (stripes_ == nullptr) {
     if (head_.pixels == PngPixels::rgb && sheet_.layers.size() == 1) {
       const SheetLayer& layer = sheet_.layers.front();
       for (const Rgb shade :
@@ -195,13 +201,11 @@ void RasterPng::write_band() {
       head_.pixels = PngPixels::palette;
       head_.palette = index_.colours();
     }
-    rows_ = std::make_unique<PngRows>(head_, [this](std::string_view some) { return write(some); });
+    stripes_ = std::make_unique<PngStripes>(head_, [this](std::string_view some) { return write(some); });
   }
-  std::vector<std::uint8_t> row(head_.bytes_per_row());
-  for (int j = band_.top; j < band_.bottom && ok_; ++j) {
-    read_row(j, row.data());
-    rows_->add(row.data());
-  }
+  stripes_->add(
+      static_cast<std::uint32_t>(band_.bottom),
+      [&](std::uint32_t j, std::uint8_t* row) { read_row(static_cast<int>(j), row); }, executor());
 }
 
 Result<Done> accepts(const Sheet& sheet, const OutputOptions& options) {

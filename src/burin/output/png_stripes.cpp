@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <burin/output/deflate.hpp>
+#include <burin/output/png_stripes.hpp>
+#include <burin/output/row_deflater.hpp>
+
+namespace burin::output {
+
+namespace {
+
+/// So much is compressed at a time. The less, the more repetitions of what came before are lost: half of it would make
+/// the files of line pages 0.3 % larger.
+constexpr std::size_t stripe_bytes = std::size_t{1} << 19U;
+
+/// Some rows of the page: their piece of the zlib stream in a chunk of its own.
+struct Stripe {
+  std::string chunk;
+  std::size_t bytes = 0;
+  std::uint32_t checksum = 1;
+};
+
+Stripe stripe(const PngHead& head, std::uint32_t top, std::uint32_t end, const ReadRow& read_row) {
+  const std::size_t row_bytes = 1 + head.bytes_per_row();
+  std::string bytes(row_bytes * (end - top), '\0');  // no filter
+  for (std::uint32_t j = top; j < end; ++j) {
+    read_row(j, reinterpret_cast<std::uint8_t*>(bytes.data()) + (j - top) * row_bytes + 1);
+  }
+  Deflater deflate(png_level);
+  std::string piece(top == 0 ? zlib_start : "");
+  piece += deflate.piece(bytes);
+  return {chunk_bytes({"IDAT", std::move(piece)}), bytes.size(), adler32_of(bytes)};
+}
+
+}  // namespace
+
+PngStripes::PngStripes(const PngHead& head, WriteBytes write)
+    : head_(head), write_(std::move(write)), checksum_(adler32_of({})) {}
+
+void PngStripes::add(std::uint32_t end, const ReadRow& read_row, const Executor& executor) {
+  if (next_row_ == 0) write(file_head(head_));
+  if (!good_) return;
+  const std::uint32_t top = next_row_;
+  const std::uint32_t rows = rows_per_stripe(head_);
+  std::vector<Stripe> stripes((end - top + rows - 1) / rows);
+  executor.run(stripes.size(), [&](std::size_t k) {
+    const std::uint32_t from = top + static_cast<std::uint32_t>(k) * rows;
+    stripes[k] = stripe(head_, from, std::min(from + rows, end), read_row);
+  });
+  for (Stripe& each : stripes) {
+    write(std::exchange(each.chunk, {}));
+    checksum_ = joint_adler32(checksum_, each.checksum, each.bytes);
+  }
+  next_row_ = end;
+}
+
+bool PngStripes::finish() {
+  write(chunk_bytes({"IDAT", zlib_end(checksum_)}) + chunk_bytes({"IEND", {}}));
+  return good_;
+}
+
+std::uint32_t PngStripes::rows_per_stripe(const PngHead& head) {
+  return static_cast<std::uint32_t>(std::max<std::size_t>(1, stripe_bytes / (1 + head.bytes_per_row())));
+}
+
+}  // namespace burin::output

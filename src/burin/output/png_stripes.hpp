@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include <burin/base/executor.hpp>
+#include <burin/output/png_picture.hpp>
+
+namespace burin::output {
+
+/// Of compression. Measured on line pages: the levels below are hardly faster and their files larger.
+inline constexpr int png_level = 6;
+
+/// Writes a PNG of 8 bits a channel in stripes of rows, each packed on its own, through RowDeflater where it is mostly
+/// blank, else through libdeflate; so that several workers may pack at a time. Needs 2 MB for each of them and what
+/// the stripes of one call come to.
+class PngStripes {
+ public:
+  /// `head` must outlive the writer.
+  PngStripes(const PngHead& head, WriteBytes write);
+
+  /// Adds the rows from the first that is still missing up to `end`. They are read once or twice, at any time by the
+  /// tasks of the executor. The bytes are the same for every executor; stripes end where the rows of a call do.
+  void add(std::uint32_t end, const ReadRow& read_row, const Executor& executor);
+  /// After the last row. False: the bytes could not be written.
+  bool finish();
+
+  static std::uint32_t rows_per_stripe(const PngHead& head);
+
+ private:
+  void write(std::string_view bytes) { good_ = good_ && write_(bytes); }
+
+  const PngHead& head_;
+  WriteBytes write_;
+  std::uint32_t next_row_ = 0;
+  std::uint32_t checksum_;
+  bool good_ = true;
+};
+
+}  // namespace burin::output
