@@ -28,8 +28,6 @@ std::string_view Deflater::operator()(std::string_view bytes) {
 }
 
 std::string_view Deflater::piece(std::string_view bytes) {
-  // What a stored block of nothing has behind its three bits of zero: they and zeros fill a byte.
-  constexpr std::string_view no_bytes("\0\0\xFF\xFF", 4);
   make_room(libdeflate_deflate_compress_bound(compressor_.get(), bytes.size()) + 1 + no_bytes.size());
   const std::size_t size =
       libdeflate_deflate_compress(compressor_.get(), bytes.data(), bytes.size(), stream_.get(), stream_room_);

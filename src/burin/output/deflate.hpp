@@ -40,6 +40,9 @@ class Deflater {
 /// Before the first piece of a stream: deflate with a window of 32 kB.
 inline constexpr std::string_view zlib_start = "\x78\x01";
 
+/// What a stored block of nothing, as pieces end, has behind its three bits of zero and those that fill a byte.
+inline constexpr std::string_view no_bytes{"\0\0\xFF\xFF", 4};
+
 /// Behind the last piece: a last block of nothing, and the Adler-32 of all bytes.
 std::string zlib_end(std::uint32_t adler32);
 

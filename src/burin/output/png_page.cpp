@@ -80,7 +80,8 @@ std::optional<std::string> png_page(const PngHead& head, const ReadRow& read_row
   BURIN_EXPECT(head.bytes_per_row() * head.height < std::size_t{1} << 31U);
   std::optional<std::string> file = in_rows(head, read_row);
   if (file) return file;
-  return head.height <= PngStripes::rows_per_stripe(head) ? at_once(head, read_row) : in_stripes(head, read_row, executor);
+  return head.height <= PngStripes::rows_per_stripe(head) ? at_once(head, read_row)
+                                                          : in_stripes(head, read_row, executor);
 }
 
 std::optional<std::string> png_page(const PngHead& head, const std::vector<std::uint8_t>& bytes) {

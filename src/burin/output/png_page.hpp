@@ -10,9 +10,9 @@
 namespace burin::output {
 
 /// A whole page as a PNG file of 8 bits a channel: a mostly blank one through RowDeflater, row by row; others through
-/// libdeflate, small ones at once by stb_image_write, larger ones in stripes of rows, each a task of the executor. Rows
-/// are read once or twice, at any time by the tasks. The bytes are the same for every executor. Nothing: there is no
-/// memory for it. Pre: below 2^31 bytes.
+/// libdeflate, small ones at once by stb_image_write, larger ones by PngStripes, each stripe a task of the executor.
+/// Rows are read once or twice, those of stripes perhaps at the same time. The bytes are the same for every executor.
+/// Nothing: there is no memory for it. Pre: below 2^31 bytes.
 std::optional<std::string> png_page(const PngHead& head, const ReadRow& read_row,
                                     const Executor& executor = SerialExecutor());
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,9 +12,14 @@ namespace burin::output {
 
 namespace {
 
-/// So much is compressed at a time. The less, the more repetitions of what came before are lost: half of it would make
-/// the files of line pages 0.3 % larger.
-constexpr std::size_t stripe_bytes = std::size_t{1} << 19U;
+/// So much is compressed at a time. The less, the more repetitions of what came before are lost. Line pages become 0.5
+/// % larger by it; of RGB, whose rows are longer, as much at a time would cost 3 %.
+std::size_t stripe_bytes(PngPixels pixels) {
+  return std::size_t{1} << (pixels == PngPixels::rgb ? 21U : 19U);
+}
+
+/// A stripe of so few tokens of RowDeflater is about as small by it as by a search for all repetitions.
+constexpr std::size_t most_tokens = 4096;
 
 /// Some rows of the page: their piece of the zlib stream in a chunk of its own.
 struct Stripe {
@@ -22,15 +28,28 @@ struct Stripe {
   std::uint32_t checksum = 1;
 };
 
+/// Nothing: the stripe is not blank enough for it.
+std::optional<std::string> in_rows(std::string_view bytes, std::size_t row_bytes) {
+  RowDeflater deflate(row_bytes);
+  for (; !bytes.empty(); bytes.remove_prefix(row_bytes)) {
+    deflate.add(reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    if (deflate.tokens() > most_tokens) return std::nullopt;
+  }
+  return deflate.piece();
+}
+
 Stripe stripe(const PngHead& head, std::uint32_t top, std::uint32_t end, const ReadRow& read_row) {
   const std::size_t row_bytes = 1 + head.bytes_per_row();
   std::string bytes(row_bytes * (end - top), '\0');  // no filter
   for (std::uint32_t j = top; j < end; ++j) {
     read_row(j, reinterpret_cast<std::uint8_t*>(bytes.data()) + (j - top) * row_bytes + 1);
   }
-  Deflater deflate(png_level);
   std::string piece(top == 0 ? zlib_start : "");
-  piece += deflate.piece(bytes);
+  if (const std::optional<std::string> rows = in_rows(bytes, row_bytes)) {
+    piece += *rows;
+  } else {
+    piece += Deflater(png_level).piece(bytes);
+  }
   return {chunk_bytes({"IDAT", std::move(piece)}), bytes.size(), adler32_of(bytes)};
 }
 
@@ -62,7 +81,7 @@ bool PngStripes::finish() {
 }
 
 std::uint32_t PngStripes::rows_per_stripe(const PngHead& head) {
-  return static_cast<std::uint32_t>(std::max<std::size_t>(1, stripe_bytes / (1 + head.bytes_per_row())));
+  return static_cast<std::uint32_t>(std::max<std::size_t>(1, stripe_bytes(head.pixels) / (1 + head.bytes_per_row())));
 }
 
 }  // namespace burin::output

@@ -11,15 +11,15 @@ namespace burin::output {
 inline constexpr int png_level = 6;
 
 /// Writes a PNG of 8 bits a channel in stripes of rows, each packed on its own, through RowDeflater where it is mostly
-/// blank, else through libdeflate; so that several workers may pack at a time. Needs 2 MB for each of them and what
-/// the stripes of one call come to.
+/// blank, else through libdeflate; so that several workers may pack at a time. Needs 2 MB for each of them, 5 MB
+/// for RGB, and what the stripes of one call come to.
 class PngStripes {
  public:
   /// `head` must outlive the writer.
   PngStripes(const PngHead& head, WriteBytes write);
 
-  /// Adds the rows from the first that is still missing up to `end`. They are read once or twice, at any time by the
-  /// tasks of the executor. The bytes are the same for every executor; stripes end where the rows of a call do.
+  /// Adds the rows from the first that is still missing up to `end`. Each is read once, in any order and perhaps at the
+  /// same time as others. The bytes are the same for every executor; stripes end where the rows of a call do.
   void add(std::uint32_t end, const ReadRow& read_row, const Executor& executor);
   /// After the last row. False: the bytes could not be written.
   bool finish();

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <burin/output/deflate.hpp>
+#include <burin/output/png_chunks.hpp>
 #include <burin/output/prefix_code.hpp>
 #include <burin/output/row_deflater.hpp>
 
@@ -106,7 +107,7 @@ void RowDeflater::add_match(std::size_t length, bool from_above) {
   }
 }
 
-std::string RowDeflater::finish() {
+void RowDeflater::write_block(BitWriter& bits, bool is_last) const {
   constexpr unsigned end_of_block = 256;
   std::array<ValueCode, 256> lengths;
   for (unsigned k = 0; k < lengths.size(); ++k) lengths[k] = length_code(k + 3);
@@ -126,9 +127,7 @@ std::string RowDeflater::finish() {
   const PrefixCode symbols(symbol_counts, 15);
   const PrefixCode distance_symbols(distance_counts, 15);
 
-  std::string stream{0x78, 0x01};  // deflate with a window of 32 kB
-  BitWriter bits(stream);
-  bits.add(1, 1);  // the last block
+  bits.add(is_last ? 1 : 0, 1);
   bits.add(2, 2);  // with codes of its own
   write_codes(bits, symbols, distance_symbols);
   for (const std::uint16_t token : tokens_) {
@@ -144,12 +143,23 @@ std::string RowDeflater::finish() {
     bits.add(distance.extra, distance.extra_bits);
   }
   symbols.write(bits, end_of_block);
+}
+
+std::string RowDeflater::finish() {
+  std::string stream(zlib_start);
+  BitWriter bits(stream);
+  write_block(bits, true);
   bits.finish();
-  for (unsigned shift = 32; shift > 0;) {
-    shift -= 8;
-    stream += static_cast<char>(checksum_ >> shift & 0xFFU);
-  }
-  return stream;
+  return stream += big_endian(checksum_);
+}
+
+std::string RowDeflater::piece() {
+  std::string stream;
+  BitWriter bits(stream);
+  write_block(bits, false);
+  bits.add(0, 3);  // a stored block of nothing fills the byte
+  bits.finish();
+  return stream += no_bytes;
 }
 
 }  // namespace burin::output

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <burin/output/deflate.hpp>
 #include <burin/output/prefix_code.hpp>
 #include <burin/output/row_deflater.hpp>
 
@@ -63,6 +64,29 @@ TEST(RowDeflater, TakesFewBytesForBlankRowsAndForUprightLines) {
   const Packed lines = packed(2000, 2001, [](std::size_t, std::size_t column) { return column % 50 < 3 ? 90 : 255; });
   EXPECT_TRUE(lines.unpacked == lines.bytes);
   EXPECT_LE(lines.stream.size(), 2000U * 15);
+}
+
+TEST(RowDeflater, PiecesMakeAStream) {
+  std::string bytes;
+  std::string stream(output::zlib_start);
+  for (std::size_t columns = 1; columns < 300; columns += 13) {
+    RowDeflater deflate(columns);
+    for (std::size_t row = 0; row < 4; ++row) {
+      std::string some;
+      for (std::size_t k = 0; k < columns; ++k) some += static_cast<char>(k / (columns / 5 + 1) * row);
+      deflate.add(reinterpret_cast<const std::uint8_t*>(some.data()));
+      bytes += some;
+    }
+    stream += deflate.piece();
+    std::string unpacked(bytes.size() + 1, '?');
+    uLongf length = unpacked.size();
+    const std::string whole = stream + output::zlib_end(output::adler32_of(bytes));
+    EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(unpacked.data()), &length,
+                         reinterpret_cast<const Bytef*>(whole.data()), whole.size()),
+              Z_OK);
+    unpacked.resize(length);
+    EXPECT_TRUE(unpacked == bytes) << columns;
+  }
 }
 
 TEST(RowDeflater, GivesUpOnNoise) {

@@ -183,8 +183,7 @@ void RasterPng::write_page() {
     return;
   }
   const std::optional<std::string> file = png_page(
-      head_, [&](std::uint32_t j, std::uint8_t* row) { read_row(static_cast<int>(j), row); },
-      executor());
+      head_, [&](std::uint32_t j, std::uint8_t* row) { read_row(static_cast<int>(j), row); }, executor());
   had_memory_ = file.has_value();
   if (file) write(*file);
 }

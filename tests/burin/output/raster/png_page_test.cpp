@@ -80,6 +80,18 @@ TEST(PngPage, OfManyStripesHasTheSameBytesForEveryExecutor) {
   }
 }
 
+TEST(PngPage, MayHaveBlankStripesAmongBusyOnes) {
+  const PngHead head = head_of(PngPixels::grey, 2047, 1280);
+  std::vector<std::uint8_t> bytes = busy_bytes(head);
+  for (const std::size_t stripe : {0U, 2U, 4U}) {
+    const auto top = bytes.begin() + static_cast<std::ptrdiff_t>(stripe * 256 * 2047);
+    std::fill(top, top + 256 * 2047, std::uint8_t{255});
+  }
+  const std::string file = page(head, bytes, Threads());
+  EXPECT_TRUE(decoded_png(file).rgb == rgb_of(head, bytes));
+  EXPECT_LE(file.size(), page(head, busy_bytes(head), Threads()).size() * 2 / 5 + 5000);
+}
+
 TEST(PngPage, MayEndAnywhereInAStripe) {
   // 2048 bytes a row with the filter's make 256 rows a stripe.
   for (const std::uint32_t height : {255U, 256U, 257U, 511U, 512U, 513U}) {
@@ -92,11 +104,11 @@ TEST(PngPage, MayEndAnywhereInAStripe) {
 }
 
 TEST(PngPage, MayHaveRowsLongerThanAStripe) {
-  const PngHead head = head_of(PngPixels::rgb, 200'000, 3);
+  const PngHead head = head_of(PngPixels::grey, 600'000, 3);
   const std::vector<std::uint8_t> bytes = busy_bytes(head);
   const std::string file = page(head, bytes, Threads());
   EXPECT_EQ(count_of(file, "IDAT"), 4U);
-  EXPECT_TRUE(decoded_png(file).rgb == bytes);
+  EXPECT_TRUE(decoded_png(file).rgb == rgb_of(head, bytes));
 }
 
 TEST(PngPage, InStripesIsHardlyLargerThanAtOnce) {

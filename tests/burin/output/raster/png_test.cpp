@@ -213,12 +213,39 @@ TEST(NativePng, HasTheSameBytesForAnyNumberOfWorkers) {
   OutputOptions options;
   options.dots_per_mm = 1.0;
   const Threads threads;
+  RasterPlan bands{.most_pixels_at_once = 0.0, .pixels_per_band = 20'000.0};
   const std::string one = drawn(sheet, paths, options);
+  const std::string one_in_bands = drawn(sheet, paths, options, bands);
+  EXPECT_EQ(decoded_png(one_in_bands).rgb, decoded_png(one).rgb);
   for (const std::size_t count : {2U, 3U, 4U}) {
     EXPECT_TRUE(drawn(sheet, paths, options, {.workers = {&threads, count}}) == one) << count;
-    const RasterPlan bands{.most_pixels_at_once = 0.0, .pixels_per_band = 20'000.0, .workers = {&threads, count}};
-    EXPECT_EQ(decoded_png(drawn(sheet, paths, options, bands)).rgb, decoded_png(one).rgb) << count;
+    bands.workers = {&threads, count};
+    EXPECT_TRUE(drawn(sheet, paths, options, bands) == one_in_bands) << count;
   }
+}
+
+TEST(NativePng, OfALargePageHasTheSameBytesForAnyNumberOfWorkers) {
+  Sheet sheet = mixed_sheet();
+  OutputOptions options;
+  options.dots_per_mm = 5.0;
+  const std::vector<DrawnPath> mixtures = many_points();
+  std::vector<DrawnPath> line = mixtures;
+  std::erase_if(line, [](const DrawnPath& path) { return path.head.layer != 1; });
+  const Threads threads;
+  const auto expect_the_same = [&](const std::vector<DrawnPath>& paths, char pixels) {
+    const std::string one = drawn(sheet, paths, options);
+    EXPECT_EQ(format_of(one), std::string({8, pixels}));
+    for (const std::size_t count : {2U, 4U}) {
+      EXPECT_TRUE(drawn(sheet, paths, options, {.workers = {&threads, count}}) == one) << count;
+    }
+    const RasterPlan bands{.most_pixels_at_once = 0.0, .pixels_per_band = 700'000.0, .workers = {&threads, 2}};
+    EXPECT_TRUE(decoded_png(drawn(sheet, paths, options, bands)).rgb == decoded_png(one).rgb);
+  };
+  expect_the_same(mixtures, rgb);
+  expect_the_same(line, palette);
+  sheet.page.paper = {255, 255, 255};
+  sheet.pens[1].colour = {0, 0, 0};
+  expect_the_same(line, grey);
 }
 
 TEST(RowShare, GivesEveryRowToOnePainter) {
