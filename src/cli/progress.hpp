@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,6 +25,7 @@ class Progress final : public Decorator {
   ~Progress() override;
 
   Flow points(std::span<const Vec2> points) override;
+  Vec2* room_for(std::size_t count) override { return next().room_for(count); }
 
  private:
   void show();

@@ -30,9 +30,17 @@ Flow PainterTeam::begin(const PathHead& head) {
 Flow PainterTeam::points(std::span<const Vec2> points) {
   if (!keeps_calls()) return painters_.front()->points(points);
   calls_.push_back({Call::What::points, {}, points.size()});
-  points_.insert(points_.end(), points.begin(), points.end());
-  if (points_.size() >= points_at_once || calls_.size() >= calls_at_once) paint_kept();
+  Vec2* const room = room_for(points.size());
+  if (points.data() != room) std::copy(points.begin(), points.end(), room);
+  point_count_ += points.size();
+  if (point_count_ >= points_at_once || calls_.size() >= calls_at_once) paint_kept();
   return Flow::go;
+}
+
+Vec2* PainterTeam::room_for(std::size_t count) {
+  if (!keeps_calls()) return nullptr;
+  if (points_.size() < point_count_ + count) points_.resize(std::max(point_count_ + count, 2 * points_.size()));
+  return points_.data() + point_count_;
 }
 
 Flow PainterTeam::contour() {
@@ -72,7 +80,7 @@ void PainterTeam::paint_kept() {
   if (painters_.empty()) hire(std::bit_ceil(std::min(workers_.count, most_painters)));
   workers_.executor->run(painters_.size(), [this](std::size_t k) { repeat_calls(*painters_[k]); });
   calls_.clear();
-  points_.clear();
+  point_count_ = 0;
 }
 
 void PainterTeam::repeat_calls(PathSink& to) const {

@@ -27,6 +27,7 @@ class PainterTeam final : public PathSink {
 
   Flow begin(const PathHead& head) override;
   Flow points(std::span<const Vec2> points) override;
+  Vec2* room_for(std::size_t count) override;
   Flow contour() override;
   Flow end() override;
 
@@ -72,7 +73,8 @@ class PainterTeam final : public PathSink {
   Workers workers_;
   std::vector<std::unique_ptr<Painter>> painters_;
   std::vector<Call> calls_;
-  std::vector<Vec2> points_;
+  std::vector<Vec2> points_;  ///< the first point_count_ are kept; behind them is room
+  std::size_t point_count_ = 0;
 };
 
 }  // namespace burin::output::raster

@@ -89,11 +89,11 @@ void PathStroker::to(std::span<const Vec2> points, double scale) {
 bool PathStroker::round_line_to(std::span<const Vec2> points, double scale) {
   if (!started_ || !inside_ || !is_round()) return false;
   Box2 reach;
-  for (const Vec2 p : points) reach.add(device_point(p, scale));
+  for (const Vec2 p : points) reach.add(scale * p);
   if (!(box_.contains(reach.low) && box_.contains(reach.high))) return false;
   std::array<Point, 1 + most_at_once> line;
   line[0] = last_;
-  for (std::size_t k = 0; k < points.size(); ++k) line[k + 1] = nearest_point(device_point(points[k], scale));
+  for (std::size_t k = 0; k < points.size(); ++k) line[k + 1] = nearest_point(scale * points[k]);
   const std::span<const Point> all = std::span(line).first(points.size() + 1);
   if (std::any_of(all.begin(), all.end(), [&](Point p) { return !(p == last_); })) {
     ink_.add(pen_, all);
@@ -101,7 +101,7 @@ bool PathStroker::round_line_to(std::span<const Vec2> points, double scale) {
     run_length_ = 2;
   }
   last_ = all.back();
-  exact_ = device_point(points.back(), scale);
+  exact_ = scale * points.back();
   return true;
 }
 

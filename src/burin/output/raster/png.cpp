@@ -46,6 +46,7 @@ class RasterPng final : public OutputSink {
 
   Flow begin(const PathHead& head) override { return ok_ ? painters_->begin(head) : Flow::stop; }
   Flow points(std::span<const Vec2> points) override { return painters_->points(points); }
+  Vec2* room_for(std::size_t count) override { return painters_->room_for(count); }
   Flow contour() override { return painters_->contour(); }
   Flow end() override { return painters_->end(); }
 

@@ -150,21 +150,34 @@ __attribute__((noinline)) void make_table(const RoundPen& pen, RoundStep& step) 
 }  // namespace
 
 BURIN_AVX2 void cover_round_avx2(RoundPen& pen, std::span<const Point> line, const PixelBox& clip, MaskTiles& tiles) {
-  // All around both discs.
-  const int reach = pen.whole_radius + 2;
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    const Point from = line[k];
-    const Point to = line[k - 1];
-    if (from == to) continue;
-    const int top = pixel_of(std::min(from.y, to.y) - reach);
-    const int bottom = pixel_of(std::max(from.y, to.y) + reach);
-    // Most segments are in rows of one painter only.
-    if (bottom < clip.top || top >= clip.bottom || !tiles.share().has_any(top, bottom + 1)) continue;
-    RoundStep& step = pen.slot(to - from);
-    if (!(step.step == to - from)) enter_step(pen, step, to - from);
-    if (step.table != nullptr && cover_by_table(pen, *step.table, to, clip, tiles)) continue;
-    if (++step.uses == RoundStep::uses_for_table) make_table(pen, step);
-    cover_segment_avx2(pen, step, {from, to}, clip, tiles);
+  const int reach = pen.whole_radius + 2;  // all around a disc
+  const auto is_drawn_here = [&](int low_y, int high_y) {
+    const int top = std::max(clip.top, pixel_of(low_y - reach));
+    const int end = std::min(clip.bottom, pixel_of(high_y + reach) + 1);
+    return top < end && tiles.share().has_any(top, end);
+  };
+  // Most points are in rows of one painter only, with those about them.
+  constexpr std::size_t most_at_once = 16;
+  while (line.size() > 1) {
+    const std::span<const Point> some = line.first(std::min(line.size(), most_at_once + 1));
+    line = line.subspan(some.size() - 1);
+    int low = some.front().y;
+    int high = low;
+    for (const Point p : some) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+    if (!is_drawn_here(low, high)) continue;
+    for (std::size_t k = 1; k < some.size(); ++k) {
+      const Point from = some[k];
+      const Point to = some[k - 1];
+      if (from == to || !is_drawn_here(std::min(from.y, to.y), std::max(from.y, to.y))) continue;
+      RoundStep& step = pen.slot(to - from);
+      if (!(step.step == to - from)) enter_step(pen, step, to - from);
+      if (step.table != nullptr && cover_by_table(pen, *step.table, to, clip, tiles)) continue;
+      if (++step.uses == RoundStep::uses_for_table) make_table(pen, step);
+      cover_segment_avx2(pen, step, {from, to}, clip, tiles);
+    }
   }
 }
 
