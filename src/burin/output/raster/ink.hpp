@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 #include <burin/output/raster/kernel.hpp>
@@ -19,6 +21,13 @@ class Ink {
   /// As Kernel::cover_round.
   void add(RoundPen& pen, std::span<const Point> line) { kernel_->cover_round(pen, line, tiles_.part(), tiles_); }
   void add(PolygonFill& polygon, bool evenodd) { polygon.fill(evenodd, tiles_.part(), tiles_); }
+
+  /// Whether what lies between these heights, in pixels, is drawn here.
+  bool shows(double top, double bottom) const {
+    const int first = std::max(tiles_.part().top, static_cast<int>(std::floor(top)));
+    const int end = std::min(tiles_.part().bottom, static_cast<int>(std::floor(bottom)) + 1);
+    return first < end && tiles_.share().has_any(first, end);
+  }
 
   const Kernel& kernel() const { return *kernel_; }
   MaskTiles& tiles() { return tiles_; }

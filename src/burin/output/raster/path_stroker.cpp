@@ -10,7 +10,7 @@ namespace burin::output::raster {
 namespace {
 
 constexpr double most_pixels = 131072.0;
-constexpr std::size_t most_at_once = 256;
+constexpr std::size_t most_at_once = 128;
 
 double cross_of(Point a, Point b) {
   return static_cast<double>(a.x) * b.y - static_cast<double>(a.y) * b.x;
@@ -89,18 +89,21 @@ void PathStroker::to(std::span<const Vec2> points, double scale) {
 bool PathStroker::round_line_to(std::span<const Vec2> points, double scale) {
   if (!started_ || !inside_ || !is_round()) return false;
   Box2 reach;
+  reach.add(exact_);
   for (const Vec2 p : points) reach.add(scale * p);
   if (!(box_.contains(reach.low) && box_.contains(reach.high))) return false;
-  std::array<Point, 1 + most_at_once> line;
-  line[0] = last_;
-  for (std::size_t k = 0; k < points.size(); ++k) line[k + 1] = nearest_point(scale * points[k]);
-  const std::span<const Point> all = std::span(line).first(points.size() + 1);
-  if (std::any_of(all.begin(), all.end(), [&](Point p) { return !(p == last_); })) {
-    ink_.add(pen_, all);
+  if (nearest_point(reach.low) != last_ || nearest_point(reach.high) != last_) {
     moved_ = true;
     run_length_ = 2;
   }
-  last_ = all.back();
+  const double around = 0.5 * style_.width + 1.0;
+  if (ink_.shows(reach.low.y - around, reach.high.y + around)) {
+    std::array<Point, 1 + most_at_once> line;
+    line[0] = last_;
+    for (std::size_t k = 0; k < points.size(); ++k) line[k + 1] = nearest_point(scale * points[k]);
+    ink_.add(pen_, std::span(line).first(points.size() + 1));
+  }
+  last_ = nearest_point(scale * points.back());
   exact_ = scale * points.back();
   return true;
 }

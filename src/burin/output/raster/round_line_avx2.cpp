@@ -15,15 +15,22 @@ struct OfOneTile {
   Samples* first;  ///< of pixel (left, top)
   int left;
   int top;
+  static int first_row(int row) { return row; }
+  static int end_row(int row) { return row; }
   Samples& at(int i, int j) const { return first[(j - top) * MaskTiles::width + (i - left)]; }
 };
 
-/// Pixels of two by two tiles.
+/// Pixels of two by two tiles, in the rows [first, end) that are drawn.
 static_assert(BodyTable::most_pixels <= MaskTiles::width && BodyTable::most_pixels <= MaskTiles::height);
+static_assert((1 << RowShare::stripe_bits) % MaskTiles::height == 0);
 struct OfFourTiles {
   std::array<Samples*, 4> tiles;
   int split_i;  ///< the first column and row of the last tile
   int split_j;
+  int first;
+  int end;
+  int first_row(int row) const { return std::max(row, first); }
+  int end_row(int row) const { return std::min(row, end); }
   Samples& at(int i, int j) const {
     return tiles[2 * static_cast<std::size_t>(j >= split_j) + static_cast<std::size_t>(i >= split_i)]
                 [static_cast<unsigned>(j) % MaskTiles::height * MaskTiles::width +
@@ -45,8 +52,8 @@ struct DiscNumbers {
 };
 constexpr DiscNumbers disc_numbers;
 
-/// The disc of a pen about `centre`. Rows are counted in steps of which squared_step make one: there all positions are
-/// whole numbers, and floats have them exactly.
+/// The disc of a pen about `centre`. Rows of samples are counted in steps of which squared_step make one: there all
+/// positions are whole numbers, and floats have them exactly.
 template <class Pixels>
 BURIN_AVX2 inline void add_disc(const RoundPen& pen, Point centre, const Pixels& pixels) {
   const DiscNumbers& numbers = unknown(disc_numbers);
@@ -54,15 +61,15 @@ BURIN_AVX2 inline void add_disc(const RoundPen& pen, Point centre, const Pixels&
   const __m256 uncertain_below = _mm256_set1_ps(pen.whole_uncertain_below);
   const int left = pixel_of(centre.x - pen.whole_radius);
   const int right = pixel_of(centre.x + pen.whole_radius);
-  const int top = pixel_of(centre.y - pen.whole_radius);
-  const int bottom = pixel_of(centre.y + pen.whole_radius);
+  const int top = pixels.first_row(pixel_of(centre.y - pen.whole_radius));
+  const int end = pixels.end_row(pixel_of(centre.y + pen.whole_radius) + 1);
   // From a pixel's first sample, times the square of a grid's step.
   const int x = centre.x - left * units_per_pixel - sample_x(0, 0);
   const int y = centre.y - top * units_per_pixel - sample_y(0, 0);
   __m256 down_of_row = _mm256_sub_ps(load(numbers.rows), _mm256_set1_ps(static_cast<float>(row_x * x + row_y * y)));
   __m256 middle_of_row = _mm256_fmadd_ps(_mm256_set1_ps(static_cast<float>(column_x * x + column_y * y)),
                                          load(numbers.unit), _mm256_set1_ps(static_cast<float>(bound_offset)));
-  for (int j = top; j <= bottom; ++j) {
+  for (int j = top; j < end; ++j) {
     __m256 down = down_of_row;
     __m256 middle = middle_of_row;
     for (int i = left; i <= right; ++i) {
@@ -89,12 +96,12 @@ template <class Pixels>
 BURIN_AVX2 inline void add_body(const BodyTable& table, Point to, const Pixels& pixels) {
   const int left = pixel_of(to.x + table.body.left);
   const int right = pixel_of(to.x + table.body.right);
-  const int top = pixel_of(to.y + table.body.top);
-  const int bottom = pixel_of(to.y + table.body.bottom);
+  const int top = pixels.first_row(pixel_of(to.y + table.body.top));
+  const int end = pixels.end_row(pixel_of(to.y + table.body.bottom) + 1);
   const Point corner{left * units_per_pixel - to.x, top * units_per_pixel - to.y};
   std::uint32_t across_of_row = table.across.place(corner.x, corner.y);
   std::uint32_t along_of_row = table.along.place(corner.x, corner.y);
-  for (int j = top; j <= bottom; ++j) {
+  for (int j = top; j < end; ++j) {
     std::uint32_t across = across_of_row;
     std::uint32_t along = along_of_row;
     for (int i = left; i <= right; ++i) {
@@ -107,7 +114,7 @@ BURIN_AVX2 inline void add_body(const BodyTable& table, Point to, const Pixels& 
   }
 }
 
-/// False, and nothing, near the borders of `clip`. In rows of another painter what is drawn is of no use, and no harm.
+/// False, and nothing, near the borders of `clip`.
 BURIN_AVX2 __attribute__((always_inline)) inline bool cover_by_table(const RoundPen& pen, const BodyTable& body,
                                                                      Point to, const PixelBox& clip, MaskTiles& tiles) {
   const int left = pixel_of(to.x + body.all.left);
@@ -130,7 +137,9 @@ BURIN_AVX2 __attribute__((always_inline)) inline bool cover_by_table(const Round
       {tile(split_i - MaskTiles::width, split_j - MaskTiles::height), tile(last_i, split_j - MaskTiles::height),
        tile(split_i - MaskTiles::width, last_j), tile(last_i, last_j)},
       split_i,
-      split_j};
+      split_j,
+      tiles.share().has(top) ? top : split_j,
+      tiles.share().has(bottom) ? bottom + 1 : split_j};
   add_body(body, to, pixels);
   add_disc(pen, to, pixels);
   return true;
