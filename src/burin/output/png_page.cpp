@@ -63,13 +63,19 @@ std::optional<std::string> at_once(const PngHead& head, const ReadRow& read_row)
   return all;
 }
 
-std::string in_stripes(const PngHead& head, const ReadRow& read_row, const Executor& executor) {
+/// In rows, or if the page is not blank enough for it, in stripes.
+std::string in_rows_or_stripes(const PngHead& head, const ReadRow& read_row, const Executor& executor) {
   std::string file;
   PngStripes stripes(head, [&](std::string_view some) {
     file += some;
     return true;
   });
-  stripes.add(head.height, read_row, executor);
+  std::optional<std::string> rows;
+  const bool is_in_stripes = stripes.add(head.height, read_row, executor, [&] {
+    rows = in_rows(head, read_row);
+    return rows.has_value();
+  });
+  if (!is_in_stripes) return std::move(*rows);
   stripes.finish();
   return file;
 }
@@ -78,10 +84,9 @@ std::string in_stripes(const PngHead& head, const ReadRow& read_row, const Execu
 
 std::optional<std::string> png_page(const PngHead& head, const ReadRow& read_row, const Executor& executor) {
   BURIN_EXPECT(head.bytes_per_row() * head.height < std::size_t{1} << 31U);
+  if (head.height > PngStripes::rows_per_stripe(head)) return in_rows_or_stripes(head, read_row, executor);
   std::optional<std::string> file = in_rows(head, read_row);
-  if (file) return file;
-  return head.height <= PngStripes::rows_per_stripe(head) ? at_once(head, read_row)
-                                                          : in_stripes(head, read_row, executor);
+  return file ? file : at_once(head, read_row);
 }
 
 std::optional<std::string> png_page(const PngHead& head, const std::vector<std::uint8_t>& bytes) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,21 +59,29 @@ Stripe stripe(const PngHead& head, std::uint32_t top, std::uint32_t end, const R
 PngStripes::PngStripes(const PngHead& head, WriteBytes write)
     : head_(head), write_(std::move(write)), checksum_(adler32_of({})) {}
 
-void PngStripes::add(std::uint32_t end, const ReadRow& read_row, const Executor& executor) {
-  if (next_row_ == 0) write(file_head(head_));
-  if (!good_) return;
+bool PngStripes::add(std::uint32_t end, const ReadRow& read_row, const Executor& executor,
+                     const std::function<bool()>& instead) {
+  if (!good_) return true;
   const std::uint32_t top = next_row_;
   const std::uint32_t rows = rows_per_stripe(head_);
   std::vector<Stripe> stripes((end - top + rows - 1) / rows);
-  executor.run(stripes.size(), [&](std::size_t k) {
-    const std::uint32_t from = top + static_cast<std::uint32_t>(k) * rows;
-    stripes[k] = stripe(head_, from, std::min(from + rows, end), read_row);
+  std::atomic<bool> is_done = false;
+  executor.run(1 + stripes.size(), [&](std::size_t task) {
+    if (task == 0) {
+      is_done = instead && instead();
+    } else if (!is_done) {
+      const std::uint32_t from = top + static_cast<std::uint32_t>(task - 1) * rows;
+      stripes[task - 1] = stripe(head_, from, std::min(from + rows, end), read_row);
+    }
   });
+  if (is_done) return false;
+  if (next_row_ == 0) write(file_head(head_));
   for (Stripe& each : stripes) {
     write(std::exchange(each.chunk, {}));
     checksum_ = joint_adler32(checksum_, each.checksum, each.bytes);
   }
   next_row_ = end;
+  return true;
 }
 
 bool PngStripes::finish() {

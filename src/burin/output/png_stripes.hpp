@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include <burin/base/executor.hpp>
 #include <burin/output/png_picture.hpp>
@@ -20,7 +21,9 @@ class PngStripes {
 
   /// Adds the rows from the first that is still missing up to `end`. Each is read once, in any order and perhaps at the
   /// same time as others. The bytes are the same for every executor; stripes end where the rows of a call do.
-  void add(std::uint32_t end, const ReadRow& read_row, const Executor& executor);
+  /// `instead`, if any, is tried before, or at the same time: when it is true, nothing is written, and this is false.
+  bool add(std::uint32_t end, const ReadRow& read_row, const Executor& executor,
+           const std::function<bool()>& instead = {});
   /// After the last row. False: the bytes could not be written.
   bool finish();
 
