@@ -12,38 +12,57 @@
 
 namespace burin::cli {
 
-namespace {
-
-/// Calls worker() `workers` times, at the same time.
-template <class Worker>
-void run_workers(std::size_t workers, const Worker& worker) {
 #ifdef __SANITIZE_THREAD__
-  // oneTBB is not built for the thread sanitizer, which sees races in every hand-over: here threads do without it.
-  std::vector<std::exception_ptr> thrown(workers);
-  {
-    std::vector<std::jthread> threads;
-    for (std::exception_ptr& mine : thrown) {
-      threads.emplace_back([&worker, &mine] {
-        try {
-          worker();
-        } catch (...) {
-          mine = std::current_exception();
-        }
-      });
+
+/// oneTBB is not built for the thread sanitizer, which sees races in every hand-over: here threads do without it.
+struct TbbExecutor::Arena {
+  explicit Arena(int) {}
+
+  template <class Worker>
+  static void run(std::size_t workers, const Worker& worker) {
+    std::vector<std::exception_ptr> thrown(workers);
+    {
+      std::vector<std::jthread> threads;
+      for (std::exception_ptr& mine : thrown) {
+        threads.emplace_back([&worker, &mine] {
+          try {
+            worker();
+          } catch (...) {
+            mine = std::current_exception();
+          }
+        });
+      }
+    }
+    for (const std::exception_ptr& each : thrown) {
+      if (each) std::rethrow_exception(each);
     }
   }
-  for (const std::exception_ptr& each : thrown) {
-    if (each) std::rethrow_exception(each);
-  }
-#else
-  // oneTBB starts no more threads than there are cores unless it is told to.
-  const tbb::global_control more(tbb::global_control::max_allowed_parallelism, workers);
-  tbb::task_arena arena(static_cast<int>(workers));
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, workers, [&](std::size_t) { worker(); }); });
-#endif
-}
+};
 
-}  // namespace
+#else
+
+struct TbbExecutor::Arena {
+  explicit Arena(int threads)
+      : more(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {}
+
+  /// Calls worker() `workers` times, at the same time.
+  template <class Worker>
+  void run(std::size_t workers, const Worker& worker) {
+    arena.execute([&] {
+      tbb::parallel_for(
+          std::size_t{0}, workers, [&](std::size_t) { worker(); }, tbb::simple_partitioner());
+    });
+  }
+
+  tbb::global_control more;  ///< oneTBB starts no more threads than there are cores unless it is told to
+  tbb::task_arena arena;
+};
+
+#endif
+
+TbbExecutor::TbbExecutor(int threads) : threads_(threads) {}
+
+TbbExecutor::~TbbExecutor() = default;
 
 std::size_t TbbExecutor::workers() const {
   return static_cast<std::size_t>(threads_ > 0 ? threads_ : tbb::info::default_concurrency());
@@ -53,7 +72,8 @@ void TbbExecutor::run(std::size_t count, const std::function<void(std::size_t)>&
   const std::size_t threads = std::min(workers(), count);
   if (threads <= 1) return SerialExecutor().run(count, task);
   std::atomic<std::size_t> next = 0;
-  run_workers(threads, [&] {
+  std::call_once(started_, [this] { arena_ = std::make_unique<Arena>(static_cast<int>(workers())); });
+  arena_->run(threads, [&] {
     for (std::size_t i = next++; i < count; i = next++) task(i);
   });
 }

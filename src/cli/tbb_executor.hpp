@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
+
 #include <burin/base/executor.hpp>
 
 namespace burin::cli {
@@ -9,7 +12,8 @@ namespace burin::cli {
 class TbbExecutor final : public Executor {
  public:
   /// `threads` 0: as many as this process may use.
-  explicit TbbExecutor(int threads) : threads_(threads) {}
+  explicit TbbExecutor(int threads);
+  ~TbbExecutor() override;
 
   /// An exception of a task ends the run and reaches the caller.
   void run(std::size_t count, const std::function<void(std::size_t)>& task) const override;
@@ -17,7 +21,12 @@ class TbbExecutor final : public Executor {
   std::size_t workers() const;
 
  private:
+  struct Arena;
+
   int threads_;
+  // Kept from the first run with several threads on: threads that just had work are there at once for more.
+  mutable std::once_flag started_;
+  mutable std::unique_ptr<Arena> arena_;
 };
 
 }  // namespace burin::cli
