@@ -44,9 +44,10 @@ class PngBench : public testing::Test {
     return path;
   }
 
-  Cost ours(const std::string& preset_path, const std::string& size = "2000px") const {
+  Cost ours(const std::string& preset_path, const std::string& size = "2000px",
+            const std::string& threads = "1") const {
     return measured_run({BURIN_TOOL_PATH, "draw", preset_path, "-q", "--backend", "native", "--size", size, "--threads",
-                         "1", "-o", picture});
+                         threads, "-o", picture});
   }
   Cost lines_program(const std::string& what, const std::string& how) const {
     return measured_run({LINES_PROGRAM_PATH, what, how, how == "native" ? picture : cairo_picture});
@@ -81,7 +82,7 @@ TEST_F(PngBench, KochOfOrderTenIsFarCheaperThanCairo) {
   const Ratio ratio = against_cairo(koch);
   print_ratio("PNG, Koch, order 10: Cairo / native", ratio);
   expect_alike(6.0);  // Cairo draws where its chunks meet twice
-  EXPECT_GE(ratio.median, 33.0);
+  EXPECT_GE(ratio.median, 40.0);
 }
 
 TEST_F(PngBench, OrderElevenCostsNoMoreThanEight) {
@@ -111,16 +112,29 @@ TEST_F(PngBench, AMillionSegmentsOfDragonAreFarCheaperThanCairos) {
   const Ratio ratio = against_cairo(dragon);
   print_ratio("PNG, dragon, 2^20: Cairo / native", ratio);
   expect_alike(4.0);
-  EXPECT_GE(ratio.median, 3.8);
+  EXPECT_GE(ratio.median, 6.0);
 }
 
-TEST_F(PngBench, AHundredThousandPolylinesAreFourTimesCheaperThanCairos) {
+/// By the clock on the wall, whose best turns are those in which the machine had both cores for us.
+TEST_F(PngBench, TwoThreadsTakeTwoThirdsOfTheTime) {
+  const std::string dragon = preset("dragon", 20);
+  double one = ours(dragon).wall_s;
+  double two = one;
+  for (int turn = 0; turn < 41; ++turn) {
+    one = std::min(one, ours(dragon).wall_s);
+    two = std::min(two, ours(dragon, "2000px", "2").wall_s);
+  }
+  print_ratio("PNG, dragon, 2^20, wall: one thread / two", {one / two, one / two, one / two});
+  EXPECT_GE(one / two, 1.5);
+}
+
+TEST_F(PngBench, AHundredThousandPolylinesAreFiveTimesCheaperThanCairos) {
   const Ratio ratio = times_theirs(
       5, [&] { return lines_program("polylines", "native").cpu_s; },
       [&] { return lines_program("polylines", "1000").cpu_s; });
   print_ratio("PNG, 100,000 x 20 points: Cairo / native", ratio);
   expect_alike(8.0);  // Cairo darkens where lines cross
-  EXPECT_GE(ratio.median, 4.0);
+  EXPECT_GE(ratio.median, 5.0);
 }
 
 double cpu_s() {
