@@ -2,6 +2,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <future>
 
 #include <cairo.h>
 #include <fmt/format.h>
@@ -44,10 +45,10 @@ class PngBench : public testing::Test {
     return path;
   }
 
-  Cost ours(const std::string& preset_path, const std::string& size = "2000px",
-            const std::string& threads = "1") const {
+  Cost ours(const std::string& preset_path, const std::string& size = "2000px", const std::string& threads = "1",
+            const std::string& output = {}) const {
     return measured_run({BURIN_TOOL_PATH, "draw", preset_path, "-q", "--backend", "native", "--size", size, "--threads",
-                         threads, "-o", picture});
+                         threads, "-o", output.empty() ? picture : output});
   }
   Cost lines_program(const std::string& what, const std::string& how) const {
     return measured_run({LINES_PROGRAM_PATH, what, how, how == "native" ? picture : cairo_picture});
@@ -115,17 +116,24 @@ TEST_F(PngBench, AMillionSegmentsOfDragonAreFarCheaperThanCairos) {
   EXPECT_GE(ratio.median, 6.0);
 }
 
-/// By the clock on the wall, whose best turns are those in which the machine had both cores for us.
-TEST_F(PngBench, TwoThreadsAreFasterThanOne) {
+/// By the clock on the wall. How much there is of a second core, which on a shared machine changes all the time, is
+/// measured beside it: by two processes at once.
+TEST_F(PngBench, TwoThreadsShareTheWork) {
   const std::string dragon = preset("dragon", 20);
-  double one = ours(dragon).wall_s;
-  double two = one;
-  for (int turn = 0; turn < 41; ++turn) {
+  double one = unknown.wall_s;
+  double two = unknown.wall_s;
+  double both = unknown.wall_s;
+  for (int turn = 0; turn < 61; ++turn) {
     one = std::min(one, ours(dragon).wall_s);
     two = std::min(two, ours(dragon, "2000px", "2").wall_s);
+    auto other =
+        std::async(std::launch::async, [&] { return ours(dragon, "2000px", "1", folder.file("other.png")).wall_s; });
+    both = std::min(both, std::max(ours(dragon).wall_s, other.get()));
   }
+  const double cores = 2.0 * one / both;
   print_ratio("PNG, dragon, 2^20, wall: one thread / two", {one / two, one / two, one / two});
-  EXPECT_GE(one / two, 1.35);  // of 1.5, a tenth for noise
+  print_ratio("what the machine made of two processes at once", {cores, cores, cores});
+  EXPECT_GE(one / two, 0.65 * cores);
 }
 
 TEST_F(PngBench, AHundredThousandPolylinesAreFiveTimesCheaperThanCairos) {
