@@ -7,10 +7,10 @@ namespace burin::output::raster {
 
 namespace {
 
-/// Of a piece of the drawing: worth a millisecond or more of work, and small beside a page. The first pieces are small,
-/// so that work begins soon, the later ones large, so that those that are ready seldom wait for others.
-constexpr std::size_t first_points_at_once = 1U << 15U;
-constexpr std::size_t most_points_at_once = 1U << 17U;
+/// Of a piece of the drawing: worth a millisecond or more of work, and small enough to stay in a processor's cache.
+constexpr std::size_t points_at_once = 1U << 15U;
+/// What generators write at a time fits beside what is kept: memory that grows is cleared and copied.
+constexpr std::size_t least_room = points_at_once + (1U << 14U);
 constexpr std::size_t calls_at_once = 1U << 14U;
 /// Each has to walk along all points.
 constexpr std::size_t most_painters = 16;
@@ -19,12 +19,7 @@ constexpr std::size_t most_painters = 16;
 
 PainterTeam::PainterTeam(const Sheet& sheet, double dots_per_mm, const PixelBox& part, const Kernel& kernel,
                          const Workers& workers)
-    : sheet_(sheet),
-      dots_per_mm_(dots_per_mm),
-      part_(part),
-      kernel_(kernel),
-      workers_(workers),
-      points_at_once_(first_points_at_once) {
+    : sheet_(sheet), dots_per_mm_(dots_per_mm), part_(part), kernel_(kernel), workers_(workers) {
   if (!keeps_calls()) hire(1);
 }
 
@@ -40,13 +35,13 @@ Flow PainterTeam::points(std::span<const Vec2> points) {
   Vec2* const room = room_for(points.size());
   if (points.data() != room) std::copy(points.begin(), points.end(), room);
   point_count_ += points.size();
-  if (point_count_ >= points_at_once_ || calls_.size() >= calls_at_once) paint_kept();
+  if (point_count_ >= points_at_once || calls_.size() >= calls_at_once) paint_kept();
   return Flow::go;
 }
 
 Vec2* PainterTeam::room_for(std::size_t count) {
   if (!keeps_calls()) return nullptr;
-  if (points_.size() < point_count_ + count) points_.resize(std::max(point_count_ + count, 2 * points_.size()));
+  if (points_.size() < point_count_ + count) points_.resize(std::max(point_count_ + count, least_room));
   return points_.data() + point_count_;
 }
 
@@ -88,7 +83,6 @@ void PainterTeam::paint_kept() {
   workers_.executor->run(painters_.size(), [this](std::size_t k) { repeat_calls(*painters_[k]); });
   calls_.clear();
   point_count_ = 0;
-  points_at_once_ = std::min(2 * points_at_once_, most_points_at_once);
 }
 
 void PainterTeam::repeat_calls(PathSink& to) const {

@@ -20,7 +20,7 @@ struct Workers {
 /// ink is at a place depends on nothing but the layer.
 class PainterTeam final : public PathSink {
  public:
-  /// One worker: a single painter. Else a drawing is kept in pieces of up to 100,000 points, each of which is drawn by
+  /// One worker: a single painter. Else a drawing is kept in pieces of up to 32,768 points, each of which is drawn by
   /// all; one that is no longer than that is drawn by one. The rest as for Painter; the executor must outlive the team.
   PainterTeam(const Sheet& sheet, double dots_per_mm, const PixelBox& part, const Kernel& kernel,
               const Workers& workers);
@@ -75,7 +75,6 @@ class PainterTeam final : public PathSink {
   std::vector<Call> calls_;
   std::vector<Vec2> points_;  ///< the first point_count_ are kept; behind them is room
   std::size_t point_count_ = 0;
-  std::size_t points_at_once_;
 };
 
 }  // namespace burin::output::raster

@@ -122,6 +122,7 @@ BURIN_AVX2 __attribute__((always_inline)) inline bool cover_by_table(const Round
   const int top = pixel_of(to.y + body.all.top);
   const int bottom = pixel_of(to.y + body.all.bottom);
   if (left < clip.left || top < clip.top || right >= clip.right || bottom >= clip.bottom) return false;
+  if (!tiles.share().has_any(top, bottom + 1)) return true;
   const int split_i = MaskTiles::end_of_tile(left);
   const int split_j = MaskTiles::end_of_tile_row(top);
   if (right < split_i && bottom < split_j) {
@@ -132,14 +133,18 @@ BURIN_AVX2 __attribute__((always_inline)) inline bool cover_by_table(const Round
   }
   const int last_i = right < split_i ? split_i - MaskTiles::width : split_i;
   const int last_j = bottom < split_j ? split_j - MaskTiles::height : split_j;
+  const bool has_top = tiles.share().has(top);
+  const bool has_bottom = tiles.share().has(bottom);
+  // Tiles that another painter draws are not made.
+  const int upper_j = has_top ? split_j - MaskTiles::height : last_j;
+  const int lower_j = has_bottom ? last_j : upper_j;
   const auto tile = [&](int i, int j) { return tiles.at(i, j, 0); };
-  const OfFourTiles pixels{
-      {tile(split_i - MaskTiles::width, split_j - MaskTiles::height), tile(last_i, split_j - MaskTiles::height),
-       tile(split_i - MaskTiles::width, last_j), tile(last_i, last_j)},
-      split_i,
-      split_j,
-      tiles.share().has(top) ? top : split_j,
-      tiles.share().has(bottom) ? bottom + 1 : split_j};
+  const OfFourTiles pixels{{tile(split_i - MaskTiles::width, upper_j), tile(last_i, upper_j),
+                            tile(split_i - MaskTiles::width, lower_j), tile(last_i, lower_j)},
+                           split_i,
+                           split_j,
+                           has_top ? top : split_j,
+                           has_bottom ? bottom + 1 : split_j};
   add_body(body, to, pixels);
   add_disc(pen, to, pixels);
   return true;

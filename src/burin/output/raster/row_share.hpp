@@ -11,8 +11,9 @@ struct RowShare {
   static constexpr int stripe_bits = 5;
 
   constexpr bool has(int row) const { return ((row >> stripe_bits) & mask) == index; }
-  /// Whether it has one of the rows [first, end).
+  /// Whether it has one of the rows [first, end). Pre: first < end.
   constexpr bool has_any(int first, int end) const {
+    if (mask == 0) return true;
     const int stripe = first >> stripe_bits;
     const int last = (end - 1) >> stripe_bits;
     return last - stripe >= mask || ((index - stripe) & mask) <= last - stripe;

@@ -176,5 +176,36 @@ TEST(RoundLine, OfManyPointsAtOnceIsThatOfOneAfterTheOther) {
   }
 }
 
+TEST(RoundLine, MakesNoTilesOfRowsThatOthersDraw) {
+  Dice dice(24);
+  const PixelBox page{0, 0, 256, 256};
+  for (const Kernel* kernel : {&best_kernel(), &portable_kernel()}) {
+    for (const double half_width : {300.0, 1200.0}) {
+      Point at{128 * units_per_pixel, 128 * units_per_pixel};
+      std::vector<Point> line{at};
+      for (int k = 0; k < 20'000; ++k) {
+        // Few steps, so that they get tables.
+        const Point step{1500 * (static_cast<int>(dice.below(3)) - 1), 1400 * (static_cast<int>(dice.below(3)) - 1)};
+        if (page.left * units_per_pixel < at.x + step.x && at.x + step.x < page.right * units_per_pixel) at.x += step.x;
+        if (page.top * units_per_pixel < at.y + step.y && at.y + step.y < page.bottom * units_per_pixel) at.y += step.y;
+        line.push_back(at);
+      }
+      TileMemory memory;
+      MaskTiles tiles(page, memory, {.index = 1, .mask = 1});
+      RoundPen pen(half_width);
+      kernel->cover_round(pen, line, page, tiles);
+      int made = 0;
+      for (int row = 0; row < tiles.rows(); ++row) {
+        for (int column = 0; column < tiles.columns(); ++column) {
+          if (tiles.tile(column, row) == nullptr) continue;
+          ++made;
+          EXPECT_TRUE(tiles.share().has(row * MaskTiles::height)) << row << ' ' << column;
+        }
+      }
+      EXPECT_GT(made, 20);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace burin::test
