@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
+#include <memory>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -41,21 +43,36 @@ struct TbbExecutor::Arena {
 
 #else
 
+/// A thread that sleeps takes as long to wake as a short run does. So long it stays awake for another one.
+constexpr std::chrono::microseconds stays_awake{200};
+
 struct TbbExecutor::Arena {
   explicit Arena(int threads)
       : more(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)), arena(threads) {}
+  ~Arena() { ++*runs; }
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
 
   /// Calls worker() `workers` times, at the same time.
   template <class Worker>
   void run(std::size_t workers, const Worker& worker) {
+    ++*runs;
     arena.execute([&] {
       tbb::parallel_for(
           std::size_t{0}, workers, [&](std::size_t) { worker(); }, tbb::simple_partitioner());
     });
+    for (std::size_t k = 1; k < workers; ++k) {
+      arena.enqueue([all_runs = runs, run = runs->load()] {
+        const auto end = std::chrono::steady_clock::now() + stays_awake;
+        while (*all_runs == run && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+      });
+    }
   }
 
   tbb::global_control more;  ///< oneTBB starts no more threads than there are cores unless it is told to
   tbb::task_arena arena;
+  /// How many there were: shared with threads that wait for the next.
+  std::shared_ptr<std::atomic<std::size_t>> runs = std::make_shared<std::atomic<std::size_t>>(0);
 };
 
 #endif
