@@ -3,7 +3,6 @@
 #if defined(BURIN_CAIRO_LIBRARY)
 #include <dlfcn.h>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 
 #include <burin/output/back_ends.hpp>
@@ -29,7 +28,9 @@ std::span<const BackEnd> loaded() {
   // For good: what it hands out is code.
   void* const library = dlopen(library_path().c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const symbol = library == nullptr ? nullptr : dlsym(library, "burin_cairo_back_ends");
-  if (symbol == nullptr) throw std::runtime_error(std::string("Cairo's back ends are not installed: ") + dlerror());
+  if (symbol == nullptr) {
+    throw MissingLibrary(std::string(dlerror()) + ": install all of burin, or draw with --backend native");
+  }
   std::span<const BackEnd> rows;
   reinterpret_cast<decltype(&burin_cairo_back_ends)>(symbol)(rows);
   return rows;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <burin/base/suggest.hpp>
+#include <cli/cairo_back_ends.hpp>
 #include <cli/command.hpp>
 #include <cli/help.hpp>
 #include <cli/preset_library.hpp>
@@ -67,6 +68,11 @@ ExitCode internal_error(std::string_view what) {
   return ExitCode::failure;
 }
 
+ExitCode missing_library(std::string_view what) {
+  Console(false).fail({Problem{{"burin"}, fmt::format("Cairo's back ends are not installed: {}", what)}});
+  return ExitCode::failure;
+}
+
 }  // namespace
 
 }  // namespace burin::cli
@@ -83,6 +89,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     burin::cli::Console(false).note("burin: error: not enough memory; lower the levels or draw fewer layers at once\n");
     code = ExitCode::limit;
+  } catch (const burin::cli::MissingLibrary& missing) {
+    code = burin::cli::missing_library(missing.what());
   } catch (const std::exception& error) {
     code = burin::cli::internal_error(error.what());
   }

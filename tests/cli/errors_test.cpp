@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include "cli/tool.hpp"
@@ -118,6 +120,21 @@ TEST(Errors, ColoursAreForTerminalsOnly) {
   const Finished run = burin_in(folder, {"draw", "kohc"});
   EXPECT_FALSE(contains(run.err, "\x1b")) << run.err;
 }
+
+#ifdef BURIN_CORE_LIBRARY
+TEST(Errors, AnIncompleteInstallationIsSaid) {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(BURIN_CORE_LIBRARY, folder.file(BURIN_CORE_NAME));
+  folder.write("p.toml", koch_text);
+  ToolSetup setup;
+  setup.environment.emplace_back("LD_LIBRARY_PATH", folder.path().string());
+  const Finished run = burin_in(folder, {"draw", "p.toml", "--backend", "cairo", "-o", "-"}, setup);
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(contains(run.err, "Cairo's back ends are not installed: ")) << run.err;
+  EXPECT_TRUE(contains(run.err, "--backend native")) << run.err;
+  EXPECT_FALSE(contains(run.err, "report")) << run.err;
+}
+#endif
 
 TEST(Errors, AClosedStdinIsAnError) {
   const TemporaryFolder folder;
