@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,10 +25,10 @@ class BitWriter {
 
  private:
   void hand_over(unsigned count) {
-    for (unsigned k = 0; k < count; ++k) {
-      bytes_ += static_cast<char>(held_ & 0xFFU);
-      held_ >>= 8U;
-    }
+    std::array<char, 8> low;
+    for (unsigned k = 0; k < low.size(); ++k) low[k] = static_cast<char>(held_ >> 8 * k & 0xFFU);
+    bytes_.append(low.data(), count);
+    held_ >>= 8 * count;
     held_bits_ -= held_bits_ < 8 * count ? held_bits_ : 8 * count;
   }
 

@@ -49,15 +49,34 @@ ValueCode distance_code(unsigned distance) {
   return {2 * bits + (value >> bits), bits, value & ((1U << bits) - 1U)};
 }
 
+/// The bits in which eight bytes from a and b on differ.
+std::uint64_t difference(const std::uint8_t* a, const std::uint8_t* b) {
+  std::uint64_t x;
+  std::uint64_t y;
+  std::memcpy(&x, a, 8);
+  std::memcpy(&y, b, 8);
+  return x ^ y;
+}
+
 /// How many bytes from a and b on are the same, up to `most`.
 std::size_t common_bytes(const std::uint8_t* a, const std::uint8_t* b, std::size_t most) {
   std::size_t count = 0;
+  if (most >= 8 && difference(a, b) == 0) {
+    for (; count + 32 <= most; count += 32) {
+      const std::uint8_t* const x = a + count;
+      const std::uint8_t* const y = b + count;
+      if ((difference(x, y) | difference(x + 8, y + 8) | difference(x + 16, y + 16) | difference(x + 24, y + 24)) !=
+          0) {
+        break;
+      }
+    }
+  }
   for (; count + 8 <= most; count += 8) {
-    std::uint64_t x;
-    std::uint64_t y;
-    std::memcpy(&x, a + count, 8);
-    std::memcpy(&y, b + count, 8);
-    if (x != y) break;
+    const std::uint64_t differing = difference(a + count, b + count);
+    if (differing == 0) continue;
+    const int same_bits =
+        std::endian::native == std::endian::little ? std::countr_zero(differing) : std::countl_zero(differing);
+    return count + static_cast<std::size_t>(same_bits) / 8;
   }
   while (count < most && a[count] == b[count]) ++count;
   return count;
@@ -67,27 +86,37 @@ std::size_t common_bytes(const std::uint8_t* a, const std::uint8_t* b, std::size
 
 RowDeflater::RowDeflater(std::size_t row_bytes) : row_bytes_(row_bytes), checksum_(adler32_of({})) {}
 
-std::size_t RowDeflater::above(const std::uint8_t* row, std::size_t at) const {
+std::size_t RowDeflater::above(const std::uint8_t* row, std::size_t at, std::size_t other) const {
   if (last_row_.empty() || row_bytes_ > farthest) return 0;
-  return common_bytes(row + at, last_row_.data() + at, row_bytes_ - at);
-}
-
-std::size_t RowDeflater::left(const std::uint8_t* row, std::size_t at) const {
-  return at == 0 ? 0 : common_bytes(row + at, row + at - 1, row_bytes_ - at);
+  const std::size_t behind = at + other;
+  if (row_bytes_ - behind <= worth_a_far_match) return 0;
+  // Most runs end where the line moved, which shows at once.
+  if (common_bytes(row + behind, last_row_.data() + behind, worth_a_far_match + 1) <= worth_a_far_match) return 0;
+  const std::size_t up = common_bytes(row + at, last_row_.data() + at, row_bytes_ - at);
+  return up > other + worth_a_far_match ? up : 0;
 }
 
 bool RowDeflater::add(const std::uint8_t* row) {
+  // The last run of one byte, of which several places may ask.
+  std::size_t run_begin = 0;
+  std::size_t run_end = 0;
+  const auto left = [&](std::size_t at) -> std::size_t {
+    if (run_begin <= at && at < run_end) return run_end - at;
+    if (at == 0 || at >= row_bytes_ || row[at] != row[at - 1]) return 0;
+    run_begin = at;
+    run_end = at + common_bytes(row + at, row + at - 1, row_bytes_ - at);
+    return run_end - at;
+  };
   for (std::size_t at = 0; at < row_bytes_;) {
-    const std::size_t back = left(row, at);
-    const std::size_t up = back == row_bytes_ - at ? 0 : above(row, at);
+    const std::size_t back = left(at);
     // A row of one byte is better begun by it than taken from above.
-    const std::size_t soon = up > back && at + 2 < row_bytes_ ? 2 + left(row, at + 2) : 0;
-    const bool from_above = up > std::max(back, soon) + worth_a_far_match;
-    const std::size_t length = from_above ? up : back;
+    const std::size_t soon = at + 2 < row_bytes_ ? 2 + left(at + 2) : 0;
+    const std::size_t up = above(row, at, std::max(back, soon));
+    const std::size_t length = up > 0 ? up : back;
     if (length < shortest) {
       tokens_.push_back(row[at++]);
     } else {
-      add_match(length, from_above);
+      add_match(length, up > 0);
       at += length;
     }
   }

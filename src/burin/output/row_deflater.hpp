@@ -31,8 +31,8 @@ class RowDeflater {
   std::string piece();
 
  private:
-  std::size_t above(const std::uint8_t* row, std::size_t at) const;
-  std::size_t left(const std::uint8_t* row, std::size_t at) const;
+  /// How many bytes from `at` on are those above; 0 if they are hardly more than the `other` that repeat otherwise.
+  std::size_t above(const std::uint8_t* row, std::size_t at, std::size_t other) const;
   void add_match(std::size_t length, bool from_above);
   void write_block(BitWriter& bits, bool is_last) const;
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <new>
+#include <span>
 #include <vector>
 
 #include <burin/output/raster/row_share.hpp>
@@ -38,6 +39,10 @@ class Tiles {
   /// The tile in that column and row of tiles; null when it was never touched.
   Tile* tile(int column, int row) { return tiles_[index(column, row)]; }
   const Tile* tile(int column, int row) const { return tiles_[index(column, row)]; }
+  /// All tiles of a row from the left.
+  std::span<const Tile* const> tiles_of(int row) const {
+    return std::span(tiles_).subspan(index(0, row), static_cast<std::size_t>(columns_));
+  }
 
   /// The same, made if need be: filled with `blank`.
   Tile& touched(int column, int row, const Value& blank) {

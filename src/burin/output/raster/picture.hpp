@@ -51,18 +51,21 @@ class Picture {
 
 template <class Blank, class Pixels>
 void Picture::visit_row(int j, const Blank& blank, const Pixels& pixels) const {
+  constexpr std::size_t tile_width = Tiles<Rgb>::width;
   const int top = j - part().top;
-  const auto in_tile = static_cast<std::size_t>(top % Tiles<Rgb>::height * Tiles<Rgb>::width);
-  for (int column = 0; column < tiles_.columns(); ++column) {
-    const int left = column * Tiles<Rgb>::width;
-    const auto count = static_cast<std::size_t>(std::min(Tiles<Rgb>::width, part().width() - left));
-    const Tiles<Rgb>::Tile* const tile = tiles_.tile(column, top / Tiles<Rgb>::height);
-    if (tile == nullptr) {
-      blank(count);
-    } else {
-      pixels(std::span<const Rgb>(*tile).subspan(in_tile, count));
+  const std::size_t in_tile = static_cast<std::size_t>(top % Tiles<Rgb>::height) * tile_width;
+  const auto width = static_cast<std::size_t>(part().width());
+  std::size_t blank_from = 0;
+  std::size_t left = 0;
+  for (const Tiles<Rgb>::Tile* const tile : tiles_.tiles_of(top / Tiles<Rgb>::height)) {
+    if (tile != nullptr) {
+      if (blank_from < left) blank(left - blank_from);
+      blank_from = std::min(left + tile_width, width);
+      pixels(std::span<const Rgb>(*tile).subspan(in_tile, blank_from - left));
     }
+    left += tile_width;
   }
+  if (blank_from < width) blank(width - blank_from);
 }
 
 template <class Visit>

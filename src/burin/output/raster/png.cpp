@@ -40,6 +40,15 @@ std::uint8_t* pack(std::span<const Rgb> pixels, std::uint8_t* byte) {
   return byte;
 }
 
+/// One channel of grey pixels; what comes behind them.
+std::uint8_t* pack_grey(std::span<const Rgb> pixels, std::uint8_t* byte) {
+  const auto grey = [](Rgb rgb) { return static_cast<std::uint8_t>(rgb); };
+  // Nearly all are the row of a whole tile, which the compiler packs at once when it knows how many there are.
+  if (pixels.size() == MaskTiles::width)
+    return std::transform(pixels.data(), pixels.data() + MaskTiles::width, byte, grey);
+  return std::transform(pixels.begin(), pixels.end(), byte, grey);
+}
+
 class RasterPng final : public OutputSink {
  public:
   RasterPng(ByteSink& bytes, const Sheet& sheet, const OutputOptions& options, const RasterPlan& plan);
@@ -150,7 +159,7 @@ void RasterPng::choose_format() {
 /// The bytes of a row in the format that is chosen.
 void RasterPng::read_row(int j, std::uint8_t* bytes) {
   if (head_.pixels == PngPixels::rgb) {
-    const std::vector<Rgb> paper(MaskTiles::width, raster::rgb_of(sheet_.page.paper));
+    const std::vector<Rgb> paper(head_.width, raster::rgb_of(sheet_.page.paper));
     painters_->visit_row(
         j, [&](std::size_t count) { bytes = pack(std::span(paper).first(count), bytes); },
         [&](std::span<const Rgb> pixels) { bytes = pack(pixels, bytes); });
@@ -160,11 +169,8 @@ void RasterPng::read_row(int j, std::uint8_t* bytes) {
   const std::uint8_t paper = is_grey ? static_cast<std::uint8_t>(raster::rgb_of(sheet_.page.paper))
                                      : index_.add(raster::rgb_of(sheet_.page.paper)).value_or(0);
   const auto blank = [&](std::size_t count) { bytes = std::fill_n(bytes, count, paper); };
-  const auto grey = [](Rgb rgb) { return static_cast<std::uint8_t>(rgb); };
   if (is_grey) {
-    painters_->visit_row(j, blank, [&](std::span<const Rgb> pixels) {
-      bytes = std::transform(pixels.begin(), pixels.end(), bytes, grey);
-    });
+    painters_->visit_row(j, blank, [&](std::span<const Rgb> pixels) { bytes = pack_grey(pixels, bytes); });
   } else {
     painters_->visit_row(j, blank, [&](std::span<const Rgb> pixels) { bytes = index_.translate(pixels, bytes); });
   }
