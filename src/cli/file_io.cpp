@@ -26,7 +26,7 @@ std::string size_text(std::size_t bytes) {
 
 Result<std::string> read_all(int fd, const std::string& shown, std::size_t limit_bytes) {
   std::string text;
-  std::array<char, 1 << 16> buffer{};
+  std::array<char, 1 << 16> buffer;
   while (true) {
     const ssize_t got = read(fd, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;

@@ -61,8 +61,13 @@ std::string big_endian(std::uint32_t number) {
 }
 
 std::string chunk_bytes(const PngChunk& chunk) {
-  const std::string checked = chunk.type + chunk.data;
-  return big_endian(static_cast<std::uint32_t>(chunk.data.size())) + checked + big_endian(crc32_of(checked));
+  std::string bytes;
+  bytes.reserve(4 + chunk.type.size() + chunk.data.size() + 4);
+  bytes += big_endian(static_cast<std::uint32_t>(chunk.data.size()));
+  bytes += chunk.type;
+  bytes += chunk.data;
+  bytes += big_endian(crc32_of(std::string_view(bytes).substr(4)));
+  return bytes;
 }
 
 std::vector<PngChunk> png_chunks(const Origin& origin, double dots_per_mm) {

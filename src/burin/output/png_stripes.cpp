@@ -41,25 +41,50 @@ std::optional<std::string> in_rows(std::string_view bytes, std::size_t row_bytes
   return deflate.piece();
 }
 
-Stripe stripe(const PngHead& head, std::uint32_t top, std::uint32_t end, const ReadRow& read_row) {
+}  // namespace
+
+/// What a worker needs for one stripe after the other: memory that is new costs more than to fill it.
+struct PngStripes::Packer {
+  Deflater deflate{png_level};
+  std::string bytes;
+
+  Stripe stripe(const PngHead& head, std::uint32_t top, std::uint32_t end, const ReadRow& read_row);
+};
+
+Stripe PngStripes::Packer::stripe(const PngHead& head, std::uint32_t top, std::uint32_t end, const ReadRow& read_row) {
   const std::size_t row_bytes = 1 + head.bytes_per_row();
-  std::string bytes(row_bytes * (end - top), '\0');  // no filter
+  bytes.resize(row_bytes * (end - top));
   for (std::uint32_t j = top; j < end; ++j) {
-    read_row(j, reinterpret_cast<std::uint8_t*>(bytes.data()) + (j - top) * row_bytes + 1);
+    char* const row = bytes.data() + (j - top) * row_bytes;
+    row[0] = 0;  // no filter
+    read_row(j, reinterpret_cast<std::uint8_t*>(row) + 1);
   }
   std::string piece(top == 0 ? zlib_start : "");
   if (const std::optional<std::string> rows = in_rows(bytes, row_bytes)) {
     piece += *rows;
   } else {
-    piece += Deflater(png_level).piece(bytes);
+    piece += deflate.piece(bytes);
   }
   return {chunk_bytes({"IDAT", std::move(piece)}), bytes.size(), adler32_of(bytes)};
 }
 
-}  // namespace
-
 PngStripes::PngStripes(const PngHead& head, WriteBytes write)
     : head_(head), write_(std::move(write)), checksum_(adler32_of({})) {}
+
+PngStripes::~PngStripes() = default;
+
+std::unique_ptr<PngStripes::Packer> PngStripes::take_packer() {
+  const std::lock_guard lock(packers_mutex_);
+  if (idle_packers_.empty()) return std::make_unique<Packer>();
+  std::unique_ptr<Packer> packer = std::move(idle_packers_.back());
+  idle_packers_.pop_back();
+  return packer;
+}
+
+void PngStripes::give_back(std::unique_ptr<Packer> packer) {
+  const std::lock_guard lock(packers_mutex_);
+  idle_packers_.push_back(std::move(packer));
+}
 
 bool PngStripes::add(std::uint32_t end, const ReadRow& read_row, const Executor& executor,
                      const std::function<bool()>& instead) {
@@ -73,7 +98,9 @@ bool PngStripes::add(std::uint32_t end, const ReadRow& read_row, const Executor&
       is_done = instead && instead();
     } else if (!is_done) {
       const std::uint32_t from = top + static_cast<std::uint32_t>(task - 1) * rows;
-      stripes[task - 1] = stripe(head_, from, std::min(from + rows, end), read_row);
+      std::unique_ptr<Packer> packer = take_packer();
+      stripes[task - 1] = packer->stripe(head_, from, std::min(from + rows, end), read_row);
+      give_back(std::move(packer));
     }
   });
   if (is_done) return false;

@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 #include <burin/base/executor.hpp>
 #include <burin/output/png_picture.hpp>
@@ -18,6 +21,7 @@ class PngStripes {
  public:
   /// `head` must outlive the writer.
   PngStripes(const PngHead& head, WriteBytes write);
+  ~PngStripes();
 
   /// Adds the rows from the first that is still missing up to `end`. Each is read once, in any order and perhaps at the
   /// same time as others. The bytes are the same for every executor; stripes end where the rows of a call do.
@@ -30,6 +34,10 @@ class PngStripes {
   static std::uint32_t rows_per_stripe(const PngHead& head);
 
  private:
+  struct Packer;
+
+  std::unique_ptr<Packer> take_packer();
+  void give_back(std::unique_ptr<Packer> packer);
   void write(std::string_view bytes) { good_ = good_ && write_(bytes); }
 
   const PngHead& head_;
@@ -37,6 +45,8 @@ class PngStripes {
   std::uint32_t next_row_ = 0;
   std::uint32_t checksum_;
   bool good_ = true;
+  std::mutex packers_mutex_;
+  std::vector<std::unique_ptr<Packer>> idle_packers_;
 };
 
 }  // namespace burin::output

@@ -28,7 +28,7 @@ class Tiles {
         share_(share),
         columns_((part.width() + width - 1) / width),
         rows_((part.height() + height - 1) / height),
-        tiles_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), nullptr) {}
+        tiles_(table(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), memory)) {}
 
   const PixelBox& part() const { return part_; }
   /// The rows that are drawn here; others do not matter.
@@ -41,7 +41,7 @@ class Tiles {
   const Tile* tile(int column, int row) const { return tiles_[index(column, row)]; }
   /// All tiles of a row from the left.
   std::span<const Tile* const> tiles_of(int row) const {
-    return std::span(tiles_).subspan(index(0, row), static_cast<std::size_t>(columns_));
+    return tiles_.subspan(index(0, row), static_cast<std::size_t>(columns_));
   }
 
   /// The same, made if need be: filled with `blank`.
@@ -80,6 +80,12 @@ class Tiles {
   static constexpr std::size_t tiles_per_block = sizeof(TileMemory::Block) / sizeof(Tile);
   static_assert(tiles_per_block * sizeof(Tile) == sizeof(TileMemory::Block));
 
+  static std::span<Tile*> table(std::size_t count, TileMemory& memory) {
+    const std::size_t blocks = (count * sizeof(Tile*) + sizeof(TileMemory::Block) - 1) / sizeof(TileMemory::Block);
+    Tile** const tiles = new (memory.take(blocks)) Tile*[count]();
+    return {tiles, count};
+  }
+
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
@@ -101,7 +107,7 @@ class Tiles {
   RowShare share_;
   int columns_;
   int rows_;
-  std::vector<Tile*> tiles_;
+  std::span<Tile*> tiles_;
   std::vector<Tile*> spare_;
 };
 

@@ -3,12 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace burin::output::raster {
 
-/// Blocks of memory for tiles. What one grid of tiles gives back serves another: a layer's samples become the picture's
-/// colours.
+/// Blocks of memory for tiles and for the tables of where they are. What one grid of tiles gives back serves another: a
+/// layer's samples become the picture's colours.
 class TileMemory {
  public:
   struct alignas(64) Block {
@@ -27,20 +28,28 @@ class TileMemory {
       spare_.pop_back();
       return block;
     }
-    if (used_of_chunk_ == blocks_per_chunk) {
-      chunks_.emplace_back(new Block[blocks_per_chunk]);
-      used_of_chunk_ = 0;
-    }
-    return &chunks_.back()[used_of_chunk_++];
+    return take(1);
+  }
+
+  /// So many in a row, which cannot be given back.
+  Block* take(std::size_t count) {
+    if (fresh_.size() < count) add_chunk(count);
+    Block* const blocks = fresh_.data();
+    fresh_ = fresh_.subspan(count);
+    return blocks;
   }
 
   void give_back(Block* block) { spare_.push_back(block); }
 
  private:
-  static constexpr std::size_t blocks_per_chunk = 256;
+  struct Free {
+    void operator()(Block* chunk) const;
+  };
 
-  std::vector<std::unique_ptr<Block[]>> chunks_;
-  std::size_t used_of_chunk_ = blocks_per_chunk;
+  void add_chunk(std::size_t least_blocks);
+
+  std::vector<std::unique_ptr<Block[], Free>> chunks_;
+  std::span<Block> fresh_;  ///< of the last chunk
   std::vector<Block*> spare_;
 };
 
