@@ -46,7 +46,13 @@ void Picture::lay_over(MaskTiles& layer, const Kernel& kernel, Colour ink, doubl
       if (masks == nullptr) continue;
       kernel.count(*masks, counts.data());
       layer.release(column, row);
+      const bool is_paper = tiles_.tile(column, row) == nullptr;
       Tiles<Rgb>::Tile& pixels = tiles_.touched(column, row, paper_);
+      if (is_paper) {
+        std::transform(counts.begin(), counts.end(), pixels.begin(),
+                       [&](std::uint8_t count) { return on_paper[count]; });
+        continue;
+      }
       for (std::size_t k = 0; k < counts.size(); ++k) {
         if (counts[k] == 0) continue;
         pixels[k] = pixels[k] == paper_ ? on_paper[counts[k]] : mixed(pixels[k], rgb_of(ink), counts[k] * share);
