@@ -20,7 +20,7 @@ constexpr std::size_t most_painters = 16;
 PainterTeam::PainterTeam(const Sheet& sheet, double dots_per_mm, const PixelBox& part, const Kernel& kernel,
                          const Workers& workers)
     : sheet_(sheet), dots_per_mm_(dots_per_mm), part_(part), kernel_(kernel), workers_(workers) {
-  if (!keeps_calls()) hire(1);
+  if (!keeps_calls()) hire(1, SerialExecutor());
 }
 
 Flow PainterTeam::begin(const PathHead& head) {
@@ -58,7 +58,7 @@ Flow PainterTeam::end() {
 }
 
 void PainterTeam::finish() {
-  if (painters_.empty()) hire(1);
+  if (painters_.empty()) hire(1, SerialExecutor());
   if (painters_.size() == 1) {
     repeat_calls(*painters_.front());
     painters_.front()->finish();
@@ -71,15 +71,17 @@ void PainterTeam::finish() {
 }
 
 /// Pre: count is a power of two.
-void PainterTeam::hire(std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) {
+void PainterTeam::hire(std::size_t count, const Executor& executor) {
+  painters_.resize(count);
+  // At the same time, for memory that is new takes a while.
+  executor.run(count, [&](std::size_t k) {
     const RowShare share{static_cast<int>(k), static_cast<int>(count - 1)};
-    painters_.push_back(std::make_unique<Painter>(sheet_, dots_per_mm_, part_, kernel_, share));
-  }
+    painters_[k] = std::make_unique<Painter>(sheet_, dots_per_mm_, part_, kernel_, share);
+  });
 }
 
 void PainterTeam::paint_kept() {
-  if (painters_.empty()) hire(std::bit_ceil(std::min(workers_.count, most_painters)));
+  if (painters_.empty()) hire(std::bit_ceil(std::min(workers_.count, most_painters)), *workers_.executor);
   workers_.executor->run(painters_.size(), [this](std::size_t k) { repeat_calls(*painters_[k]); });
   calls_.clear();
   point_count_ = 0;

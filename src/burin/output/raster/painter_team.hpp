@@ -62,7 +62,7 @@ class PainterTeam final : public PathSink {
         ->picture();
   }
   bool keeps_calls() const { return workers_.count > 1; }
-  void hire(std::size_t count);
+  void hire(std::size_t count, const Executor& executor);
   void paint_kept();
   void repeat_calls(PathSink& to) const;
 
