@@ -30,13 +30,11 @@ constexpr double most_pixels_a_side = 100'000.0;
 /// So many colours go into 4 bits.
 constexpr std::size_t most_packed = 16;
 
-/// Red, green and blue of each pixel; what comes behind them.
-std::uint8_t* pack(std::span<const Rgb> pixels, std::uint8_t* byte) {
-  for (const Rgb rgb : pixels) {
-    *byte++ = static_cast<std::uint8_t>(rgb >> 16U);
-    *byte++ = static_cast<std::uint8_t>(rgb >> 8U);
-    *byte++ = static_cast<std::uint8_t>(rgb);
-  }
+/// Red, green and blue; what comes behind them.
+std::uint8_t* pack(Rgb rgb, std::uint8_t* byte) {
+  *byte++ = static_cast<std::uint8_t>(rgb >> 16U);
+  *byte++ = static_cast<std::uint8_t>(rgb >> 8U);
+  *byte++ = static_cast<std::uint8_t>(rgb);
   return byte;
 }
 
@@ -44,8 +42,9 @@ std::uint8_t* pack(std::span<const Rgb> pixels, std::uint8_t* byte) {
 std::uint8_t* pack_grey(std::span<const Rgb> pixels, std::uint8_t* byte) {
   const auto grey = [](Rgb rgb) { return static_cast<std::uint8_t>(rgb); };
   // Nearly all are the row of a whole tile, which the compiler packs at once when it knows how many there are.
-  if (pixels.size() == MaskTiles::width)
+  if (pixels.size() == MaskTiles::width) {
     return std::transform(pixels.data(), pixels.data() + MaskTiles::width, byte, grey);
+  }
   return std::transform(pixels.begin(), pixels.end(), byte, grey);
 }
 
@@ -158,17 +157,21 @@ void RasterPng::choose_format() {
 
 /// The bytes of a row in the format that is chosen.
 void RasterPng::read_row(int j, std::uint8_t* bytes) {
+  const Rgb paper = raster::rgb_of(sheet_.page.paper);
   if (head_.pixels == PngPixels::rgb) {
-    const std::vector<Rgb> paper(head_.width, raster::rgb_of(sheet_.page.paper));
     painters_->visit_row(
-        j, [&](std::size_t count) { bytes = pack(std::span(paper).first(count), bytes); },
-        [&](std::span<const Rgb> pixels) { bytes = pack(pixels, bytes); });
+        j,
+        [&](std::size_t count) {
+          for (std::size_t k = 0; k < count; ++k) bytes = pack(paper, bytes);
+        },
+        [&](std::span<const Rgb> pixels) {
+          for (const Rgb rgb : pixels) bytes = pack(rgb, bytes);
+        });
     return;
   }
   const bool is_grey = head_.pixels == PngPixels::grey;
-  const std::uint8_t paper = is_grey ? static_cast<std::uint8_t>(raster::rgb_of(sheet_.page.paper))
-                                     : index_.add(raster::rgb_of(sheet_.page.paper)).value_or(0);
-  const auto blank = [&](std::size_t count) { bytes = std::fill_n(bytes, count, paper); };
+  const std::uint8_t blank_byte = is_grey ? static_cast<std::uint8_t>(paper) : index_.add(paper).value_or(0);
+  const auto blank = [&](std::size_t count) { bytes = std::fill_n(bytes, count, blank_byte); };
   if (is_grey) {
     painters_->visit_row(j, blank, [&](std::span<const Rgb> pixels) { bytes = pack_grey(pixels, bytes); });
   } else {
