@@ -18,11 +18,9 @@ for build in "${builds[@]}"; do
   pictures=$folder/pictures
   rm -rf "$pictures"
   mkdir -p "$pictures"
-  for preset in presets/*.toml; do
-    name=$(basename "$preset" .toml)
-    "$folder/bin/burin" draw "$preset" -o "$pictures/$name.svg" -o "$pictures/$name.png" -o "$pictures/$name.csv" \
-      -o "$pictures/$name.dump" > /dev/null
-  done
+  printf '%s\n' presets/*.toml | xargs -P "$(nproc)" -I {} "$folder/bin/burin" draw {} --threads 1 \
+    -o "$pictures/{preset}.svg" -o "$pictures/{preset}.png" -o "$pictures/{preset}.csv" -o "$pictures/{preset}.dump" \
+    > /dev/null
   "$folder/bin/burin" golden tests/golden --quiet
   if [[ -z $first ]]; then
     first=$pictures
