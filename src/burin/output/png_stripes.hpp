@@ -11,7 +11,8 @@
 
 namespace burin::output {
 
-/// Of compression. Measured on line pages: the levels below are hardly faster and their files larger.
+/// Of compression. On line pages level 4 packs in three quarters of the time, which is a twentieth of all; its files
+/// are up to 7 % larger.
 inline constexpr int png_level = 6;
 
 /// Writes a PNG of 8 bits a channel in stripes of rows, each packed on its own, through RowDeflater where it is mostly
